@@ -1,0 +1,32 @@
+// The scene's vertices on the grid.
+#pragma once
+
+#include "exact/grid.hpp"
+#include "exact/limbs.hpp"
+
+#include <glm/vec3.hpp>
+#include <span>
+
+namespace sightline {
+
+/// Points by index, as exact integers on a Grid, with their unit coordinates in doubles (each within 2^-54).
+class PointTable {
+ public:
+  PointTable() = default;
+  PointTable(const Grid& grid, std::span<const glm::dvec3> world);
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(approx_.size()); }
+  std::array<Integer, 3> point(PointId p) const;
+  bool equal(PointId a, PointId b) const;
+  const glm::dvec3& approx(PointId p) const { return approx_[p]; }
+  Limbs coordinate(PointId p, int axis) const;  // two's complement words, for the fixed-width stages
+  const Grid& grid() const { return grid_; }
+  int bits() const { return grid_.bits(); }
+
+ private:
+  Grid grid_;
+  std::vector<glm::dvec3> approx_;
+  LimbStore store_;
+};
+
+}  // namespace sightline

@@ -1,0 +1,32 @@
+// Maps as files. All texts are the same bytes for the same map.
+#pragma once
+
+#include "visibility_map/map.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace sightline {
+
+/// The map file of the contract (format "sightline-map", version 1), 17 significant digits.
+std::string map_json(const VisibilityMap& map, const Scene& scene);
+/// One path a face (data-polygon), edges with their kind as class, silhouettes heavy. Width in pixels; the height
+/// follows the camera's aspect.
+std::string map_svg(const VisibilityMap& map, const Scene& scene, int width = 1024);
+void write_map_png(const std::filesystem::path& file, const VisibilityMap& map, const Scene& scene, int width = 1024);
+void write_map_pdf(const std::filesystem::path& file, const VisibilityMap& map, const Scene& scene, int width = 1024);
+
+/// Visible part of one polygon in one map.
+struct PolygonVisibility {
+  PolygonId polygon;
+  bool full;         // nothing of its projection inside the window is hidden
+  double area;       // part of the window
+  double fraction;   // of its own projection inside the window
+};
+/// The polygons seen, ascending; polygons not listed are hidden.
+std::vector<PolygonVisibility> visible_polygons(const VisibilityMap& map, const Scene& scene);
+/// CSV rows "camera,polygon,status,area,fraction" without the header line, which `csv_header` holds.
+std::string map_csv(const VisibilityMap& map, const Scene& scene, std::size_t camera);
+inline constexpr const char* csv_header = "camera,polygon,status,area,fraction\n";
+
+}  // namespace sightline
