@@ -8,7 +8,19 @@
 
 namespace sightline {
 
-/// The map file of the contract (format "sightline-map", version 1), 17 significant digits.
+/// What a map file says of its scene.
+struct MapScene {
+  std::string source;  // the file's name
+  std::uint64_t vertices = 0;
+  std::uint64_t polygons = 0;
+  std::string snap;  // unit as the user wrote it; empty: null in the file
+};
+MapScene map_scene(const Scene& scene);
+
+/// The map file of the contract (format "sightline-map", version 1): one element of an array a line, 17 significant
+/// digits, independent of the locale; -0 is written as 0. Throws std::invalid_argument for a sphere map, which has no
+/// window and so no file.
+std::string map_json(const VisibilityMap& map, const MapScene& scene);
 std::string map_json(const VisibilityMap& map, const Scene& scene);
 /// One path a face (data-polygon), edges with their kind as class, silhouettes heavy. Width in pixels; the height
 /// follows the camera's aspect.
@@ -19,9 +31,9 @@ void write_map_pdf(const std::filesystem::path& file, const VisibilityMap& map, 
 /// Visible part of one polygon in one map.
 struct PolygonVisibility {
   PolygonId polygon;
-  bool full;         // nothing of its projection inside the window is hidden
-  double area;       // part of the window
-  double fraction;   // of its own projection inside the window
+  bool full;        // nothing of its projection inside the window is hidden
+  double area;      // part of the window
+  double fraction;  // of its own projection inside the window
 };
 /// The polygons seen, ascending; polygons not listed are hidden.
 std::vector<PolygonVisibility> visible_polygons(const VisibilityMap& map, const Scene& scene);
