@@ -1,0 +1,23 @@
+// All of sightline that is public.
+#pragma once
+
+#include "exact/grid.hpp"
+#include "exact/limbs.hpp"
+#include "exact/plane_table.hpp"
+#include "exact/point_table.hpp"
+#include "exact/predicates.hpp"
+#include "exact/sightline_table.hpp"
+#include "exact/tally.hpp"
+#include "exact/types.hpp"
+#include "scene/camera.hpp"
+#include "scene/errors.hpp"
+#include "scene/read.hpp"
+#include "scene/scene.hpp"
+#include "visibility_map/fragment.hpp"
+#include "visibility_map/map.hpp"
+#include "visibility_map/stitch.hpp"
+#include "visibility_map/write.hpp"
+#include "winged_pair/check.hpp"
+#include "winged_pair/complex.hpp"
+#include "winged_pair/file.hpp"
+#include "winged_pair/traverse.hpp"
