@@ -16,7 +16,6 @@ if(SIGHTLINE_INSTALL)
     ${PROJECT_BINARY_DIR}/sightlineConfig.cmake INSTALL_DESTINATION ${package_dir})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/sightlineConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/sightlineConfig.cmake ${PROJECT_BINARY_DIR}/sightlineConfigVersion.cmake
-          ${PROJECT_SOURCE_DIR}/cmake/FindGMP.cmake ${PROJECT_SOURCE_DIR}/cmake/FindCairo.cmake
-          DESTINATION ${package_dir})
+          ${PROJECT_SOURCE_DIR}/cmake/FindGMP.cmake DESTINATION ${package_dir})
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endif()
