@@ -22,11 +22,31 @@ MapScene map_scene(const Scene& scene);
 /// window and so no file.
 std::string map_json(const VisibilityMap& map, const MapScene& scene);
 std::string map_json(const VisibilityMap& map, const Scene& scene);
-/// One path a face (data-polygon), edges with their kind as class, silhouettes heavy. Width in pixels; the height
-/// follows the camera's aspect.
+/// How a map is drawn. Faces that see nothing are left as paper.
+struct DrawOptions {
+  enum class Fill {
+    polygon,  // a muted colour for each polygon, by its index, lighter or darker by its orientation
+    shaded,   // one warm grey, lighter or darker by orientation
+    empty     // a line drawing
+  };
+  int width = 1024;  // pixels (PDF: points); the height follows the camera's aspect
+  Fill fill = Fill::polygon;
+  bool edges = true;        // thin lines: creases, seams, intersections
+  bool silhouettes = true;  // heavy lines
+};
+
+/// SVG: one path a face (class "face", data-polygon the polygon or "none"), then one path an edge with its kind as
+/// class, silhouettes heavy. PNG and PDF show the same drawing. Files are written under a temporary name and renamed.
+/// Errors: std::invalid_argument for a sphere map, or where a side would be below 1 or above 32,767 pixels;
+/// std::system_error where a file cannot be written.
 std::string map_svg(const VisibilityMap& map, const Scene& scene, int width = 1024);
+std::string map_svg(const VisibilityMap& map, const Scene& scene, const DrawOptions& options);
 void write_map_png(const std::filesystem::path& file, const VisibilityMap& map, const Scene& scene, int width = 1024);
+void write_map_png(const std::filesystem::path& file, const VisibilityMap& map, const Scene& scene,
+                   const DrawOptions& options);
 void write_map_pdf(const std::filesystem::path& file, const VisibilityMap& map, const Scene& scene, int width = 1024);
+void write_map_pdf(const std::filesystem::path& file, const VisibilityMap& map, const Scene& scene,
+                   const DrawOptions& options);
 
 /// Visible part of one polygon in one map.
 struct PolygonVisibility {

@@ -25,6 +25,16 @@ std::size_t utf8_length(const std::string& text, std::size_t at) {
   return length;
 }
 
+std::string utf8(const std::string& value) {
+  std::string out;
+  for (std::size_t k = 0; k < value.size();) {
+    const std::size_t length = utf8_length(value, k);
+    length == 0 ? out += replacement : out.append(value, k, length);
+    k += length == 0 ? 1 : length;
+  }
+  return out;
+}
+
 void append_json_string(std::string& out, const std::string& value) {
   out += '"';
   for (std::size_t k = 0; k < value.size();) {

@@ -44,6 +44,8 @@ inline void append_fixed(std::string& out, double value, int decimals) {
 
 /// Length of the valid UTF-8 sequence that begins at text[at]; 0 where there is none.
 std::size_t utf8_length(const std::string& text, std::size_t at);
+/// The text with bytes that are no UTF-8 replaced by U+FFFD.
+std::string utf8(const std::string& value);
 /// A JSON string in quotes; bytes that are no UTF-8 become U+FFFD.
 void append_json_string(std::string& out, const std::string& value);
 /// Text for XML content and attributes; bytes that are no UTF-8 and characters that XML forbids become U+FFFD.
