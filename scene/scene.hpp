@@ -73,6 +73,7 @@ class Scene {
   std::span<const SurfaceEdge> edges(const Surface& s) const {
     return std::span(edges_).subspan(s.first_edge, s.edge_count);
   }
+  std::span<const SurfaceEdge> all_edges() const { return edges_; }
   /// The pieces of one polygon; none if it was dropped.
   std::span<const Surface> surfaces(PolygonId p) const {
     return std::span(surfaces_).subspan(first_surface_[p], first_surface_[p + 1] - first_surface_[p]);

@@ -19,12 +19,11 @@ struct Vertex {
   ImplicitVertex place;
   EdgeId edge;  // one that ends here
 };
-/// The line of an edge: the line of two points of the scene where `a` is not none, else of the two planes.
 struct Edge {
   VertexId vertex[2];
   PairId pair;       // one of those around it
-  PlaneId plane[2];  // two planes that meet in its line
-  PointId a = none, b = none;  // scene points on whose line it lies, where it lies on a polygon's edge
+  PlaneId plane[2];  // two planes that meet in its line; vertex[0] -> vertex[1] is along n[0] x n[1]
+  PointId a = none, b = none;  // scene points on whose line it lies, a -> b along it, if it lies on a polygon's edge
 };
 struct Face {
   CellId cell[2];  // [0] behind its plane, [1] in front
@@ -58,6 +57,7 @@ struct Complex {
   std::vector<std::uint32_t> label_first{0, 0};  // label k: label_surfaces[label_first[k] .. label_first[k+1])
   std::vector<SurfaceId> label_surfaces;         // ascending by surface id (hence by polygon)
   Integer box[2][3];                             // lower and upper corner, grid units
+  PlaneId box_plane[3][2] = {};                  // by axis: the box's lower and upper plane
 
   std::span<const SurfaceId> surfaces_on(const Face& f) const {
     return std::span(label_surfaces).subspan(label_first[f.label], label_first[f.label + 1] - label_first[f.label]);

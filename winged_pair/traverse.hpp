@@ -45,7 +45,8 @@ void for_pairs_of_edge(const Complex& c, EdgeId e, Visit&& visit) {
 struct Marks {
   std::vector<std::uint32_t> stamp;
   std::uint32_t now = 0;
-  void begin(std::size_t size);
+  void begin(std::size_t size);  // forget all, make room
+  void grow(std::size_t size);   // make room, forget nothing
   bool first(std::uint32_t k) { return stamp[k] != now ? (stamp[k] = now, true) : false; }
 };
 /// The faces of a cell, in the order of a breadth-first walk from cell.face.

@@ -1,0 +1,139 @@
+#include "bsp/build.hpp"
+
+#include <chrono>
+
+#include "bsp/choose.hpp"
+#include "bsp/label.hpp"
+
+namespace sightline {
+namespace {
+
+// The bounding box and an eighth of its largest extent around it, at coordinates of few digits.
+void enlarged_box(const Scene& scene, Integer lower[3], Integer upper[3]) {
+  Integer extent = 1;
+  for (int k = 0; k < 3; ++k) {
+    lower[k] = upper[k] = 0;
+    bool first = true;
+    for (const SurfaceEdge& e : scene.all_edges()) {
+      for (const PointId p : {e.a, e.b}) {
+        const Integer c = scene.points().point(p)[static_cast<std::size_t>(k)];
+        if (first || c < lower[k]) lower[k] = c;
+        if (first || c > upper[k]) upper[k] = c;
+        first = false;
+      }
+    }
+    extent = std::max<Integer>(extent, upper[k] - lower[k]);
+  }
+  const auto digits = mpz_sizeinbase(extent.get_mpz_t(), 2);
+  const unsigned long dropped = digits > 5 ? digits - 5 : 0;
+  const Integer step = Integer(1) << dropped;
+  for (int k = 0; k < 3; ++k) {
+    mpz_fdiv_q_2exp(lower[k].get_mpz_t(), lower[k].get_mpz_t(), dropped);
+    mpz_cdiv_q_2exp(upper[k].get_mpz_t(), upper[k].get_mpz_t(), dropped);
+    lower[k] = (lower[k] - 1) * step;
+    upper[k] = (upper[k] + 1) * step;
+  }
+}
+
+class Builder {
+ public:
+  Builder(const Scene& scene, Complex& complex)
+      : c_(complex),
+        splitter_(complex),
+        labeller_(scene, complex, splitter_),
+        pieces_(scene, complex.planes),
+        chooser_(scene, complex.planes, pieces_, {}) {
+    for (SurfaceId s = 0; s < scene.surfaces().size(); ++s) waiting_.push_back(pieces_.whole(s));
+  }
+
+  void run() {
+    tasks_.push_back({0, 0});
+    while (!tasks_.empty()) {
+      const Task task = tasks_.back();
+      tasks_.pop_back();
+      if (waiting_.size() > task.first) cut(task);
+    }
+  }
+  std::uint32_t splits() const { return splits_; }
+
+ private:
+  struct Task {
+    CellId cell;
+    std::size_t first;  // its pieces are waiting_[first ..] when its turn comes
+  };
+
+  void cut(const Task& task) {
+    const auto begin = waiting_.begin() + static_cast<std::ptrdiff_t>(task.first);
+    here_.assign(begin, waiting_.end());
+    waiting_.erase(begin, waiting_.end());
+    PlaneId plane = none;
+    for (const bool free_space : {true, false}) {
+      const Choice choice = chooser_.choose(here_, free_space);
+      plane = choice.plane != none ? choice.plane : c_.planes.add_axis(choice.axis, choice.value).id;
+      distribute(plane);
+      // A cut in free space that parts nothing would not bring the end nearer.
+      if (!on_.empty() || (!behind_.empty() && !front_.empty())) break;
+    }
+    const Splitter::CellCut cut = splitter_.cut_cell(task.cell, plane);
+    labeller_.label(cut.face, on_, pieces_);
+    tasks_.push_back({task.cell, waiting_.size()});
+    waiting_.insert(waiting_.end(), behind_.begin(), behind_.end());
+    tasks_.push_back({cut.front, waiting_.size()});
+    waiting_.insert(waiting_.end(), front_.begin(), front_.end());
+  }
+
+  void distribute(PlaneId plane) {
+    on_.clear();
+    behind_.clear();
+    front_.clear();
+    for (const Piece& piece : here_) {
+      switch (pieces_.sides(piece, plane)) {
+        case 0: on_.push_back(piece); break;
+        case 1: behind_.push_back(piece); break;
+        case 2: front_.push_back(piece); break;
+        default: {
+          Piece halves[2];
+          pieces_.split(piece, plane, halves[0], halves[1]);
+          behind_.push_back(halves[0]);
+          front_.push_back(halves[1]);
+          ++splits_;
+        }
+      }
+    }
+  }
+
+  Complex& c_;
+  Splitter splitter_;
+  Labeller labeller_;
+  Pieces pieces_;
+  Chooser chooser_;
+  std::vector<Piece> waiting_;  // pieces of all tasks, those of the next one last
+  std::vector<Task> tasks_;
+  std::vector<Piece> here_, on_, behind_, front_;
+  std::uint32_t splits_ = 0;
+};
+
+}  // namespace
+
+std::size_t complex_bytes(const Complex& c) {
+  return c.vertices.size() * sizeof(Vertex) + c.edges.size() * sizeof(Edge) + c.faces.size() * sizeof(Face) +
+         c.cells.size() * sizeof(Cell) + c.pairs.size() * sizeof(Pair) +
+         (c.label_first.size() + c.label_surfaces.size()) * sizeof(std::uint32_t) + c.planes.bytes();
+}
+
+Complex build(const Scene& scene, const BuildOptions&, BuildStats* stats) {
+  const auto start = std::chrono::steady_clock::now();
+  Integer lower[3], upper[3];
+  enlarged_box(scene, lower, upper);
+  Complex complex = make_box(scene, lower, upper);
+  Builder builder(scene, complex);
+  builder.run();
+  if (stats) {
+    stats->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    stats->bytes = complex_bytes(complex);
+    stats->splits = builder.splits();
+  }
+  return complex;
+}
+
+}  // namespace sightline

@@ -1,0 +1,147 @@
+#include "bsp/choose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace sightline {
+namespace {
+
+constexpr std::size_t most_candidates = 16;  // planes looked at in a large cell
+constexpr std::size_t most_counted = 256;    // pieces counted for each
+constexpr std::size_t free_space_from = 24;  // pieces from which cuts in free space are considered
+constexpr double flat = 0x1p-40;             // unit length below which a piece counts as lying in a plane
+
+double extent_section(const glm::dvec3& size, const double n[3]) {
+  // Area of a box's section by a plane with normal n, roughly: the side seen along the normal's main axis.
+  int k = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(n[i]) > std::abs(n[k])) k = i;
+  }
+  return size[(k + 1) % 3] * size[(k + 2) % 3] * std::hypot(n[0], n[1], n[2]) / std::abs(n[k]);
+}
+
+}  // namespace
+
+double Chooser::area(const Piece& piece) const {
+  const auto corner = pieces_.corners(piece);
+  glm::dvec3 sum{0, 0, 0};
+  for (std::size_t k = 2; k < corner.size(); ++k) {
+    sum += glm::cross(corner[k - 1].place.approx - corner[0].place.approx,
+                      corner[k].place.approx - corner[0].place.approx);
+  }
+  return glm::length(sum) / 2;
+}
+
+Chooser::Count Chooser::count_axis(std::span<const Piece> pieces, int axis, double value) const {
+  Count n;
+  const std::size_t stride = pieces.size() / most_counted + 1;
+  for (std::size_t k = 0; k < pieces.size(); k += stride) {
+    const double low = pieces[k].low[axis] - value, high = pieces[k].high[axis] - value;
+    if (high <= flat && low >= -flat) {
+      n.covered += area(pieces[k]);
+    } else if (high <= flat) {
+      n.behind += 1;
+    } else if (low >= -flat) {
+      n.front += 1;
+    } else {
+      n.split += 1;
+    }
+  }
+  return n;
+}
+
+Chooser::Count Chooser::count_plane(std::span<const Piece> pieces, PlaneId plane) const {
+  const ApproxPlane& p = planes_.approx(plane);
+  if (const int axis = planes_.axis(plane); axis >= 0) return count_axis(pieces, axis, p.d / p.n[axis]);
+  Count n;
+  const std::size_t stride = pieces.size() / most_counted + 1;
+  for (std::size_t k = 0; k < pieces.size(); k += stride) {
+    if (pieces[k].plane == plane) {
+      n.covered += area(pieces[k]);
+      continue;
+    }
+    bool behind = false, front = false;
+    for (const PieceCorner& c : pieces_.corners(pieces[k])) {
+      const double s = p.n[0] * c.place.approx.x + p.n[1] * c.place.approx.y + p.n[2] * c.place.approx.z - p.d;
+      behind |= s < -flat;
+      front |= s > flat;
+    }
+    if (behind && front) {
+      n.split += 1;
+    } else if (behind) {
+      n.behind += 1;
+    } else {
+      n.front += 1;
+    }
+  }
+  return n;
+}
+
+double Chooser::cost(const Count& n, double total, double section, bool along_axis) const {
+  const double counted = std::max(1.0, n.behind + n.front + n.split);
+  const double scale = total / std::max<double>(1, std::floor(total / (std::floor(total / most_counted) + 1)));
+  const double cover = section > 0 ? std::min(1.0, n.covered * scale / section) : 1.0;
+  return weights_.split * n.split / counted + weights_.imbalance * std::abs(n.front - n.behind) / counted -
+         weights_.cover * cover - (along_axis ? weights_.axis : 0.0);
+}
+
+Choice Chooser::choose(std::span<const Piece> pieces, bool free_space) {
+  glm::dvec3 low = pieces[0].low, high = pieces[0].high;
+  for (const Piece& p : pieces) {
+    low = glm::min(low, p.low);
+    high = glm::max(high, p.high);
+  }
+  const glm::dvec3 size = high - low;
+
+  // Candidates: every plane of a small cell; of a large one a regular sample, so that the work stays near linear.
+  candidates_.clear();
+  const std::size_t stride = pieces.size() > 4 * most_candidates ? pieces.size() / (2 * most_candidates) : 1;
+  for (std::size_t k = 0; k < pieces.size(); k += stride) candidates_.push_back({pieces[k].plane, 0});
+  std::sort(candidates_.begin(), candidates_.end(), [](auto& a, auto& b) { return a.plane < b.plane; });
+  candidates_.erase(std::unique(candidates_.begin(), candidates_.end(),
+                                [](auto& a, auto& b) { return a.plane == b.plane; }),
+                    candidates_.end());
+  Choice best;
+  double least = 0;
+  const auto total = static_cast<double>(pieces.size());
+  for (const Candidate& c : candidates_) {
+    const double now = cost(count_plane(pieces, c.plane), total, extent_section(size, planes_.approx(c.plane).n),
+                            planes_.axis(c.plane) >= 0);
+    if (best.plane == none || now < least) {
+      least = now;
+      best.plane = c.plane;
+    }
+  }
+  if (!free_space || pieces.size() < free_space_from) return best;
+
+  for (int axis = 0; axis < 3; ++axis) {
+    if (size[axis] <= 0) continue;
+    middles_.clear();
+    for (const Piece& p : pieces) middles_.push_back((p.low[axis] + p.high[axis]) / 2);
+    const auto middle = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
+    std::nth_element(middles_.begin(), middle, middles_.end());
+    // A coordinate of few digits near the median: cheap to compute with ever after.
+    const double digit = std::exp2(std::floor(std::log2(size[axis])) - 4);
+    const double value = std::round(*middle / digit) * digit;
+    if (!(value > low[axis] && value < high[axis])) continue;
+    const double now = cost(count_axis(pieces, axis, value), total, 0x1p100, true);
+    if (now < least) {
+      least = now;
+      best.plane = none;
+      best.axis = axis;
+      int exponent = 0;
+      const double mantissa = std::frexp(value, &exponent);
+      best.value = static_cast<long>(std::ldexp(mantissa, 53));
+      const int shift = exponent - 53 + scene_.grid().unit_bits();
+      if (shift >= 0) {
+        best.value <<= static_cast<unsigned long>(shift);
+      } else {
+        mpz_fdiv_q_2exp(best.value.get_mpz_t(), best.value.get_mpz_t(), static_cast<unsigned long>(-shift));
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace sightline

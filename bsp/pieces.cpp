@@ -1,0 +1,76 @@
+#include "bsp/pieces.hpp"
+
+#include <glm/common.hpp>
+
+namespace sightline {
+
+void Pieces::bound(Piece& piece) const {
+  piece.low = piece.high = corners_[piece.first].place.approx;
+  for (const PieceCorner& c : corners(piece)) {
+    piece.low = glm::min(piece.low, c.place.approx);
+    piece.high = glm::max(piece.high, c.place.approx);
+  }
+}
+
+Piece Pieces::whole(SurfaceId surface) {
+  const Surface& s = scene_.surfaces()[surface];
+  const auto edges = scene_.edges(s);
+  Piece piece{surface, s.plane, static_cast<std::uint32_t>(corners_.size()), s.edge_count, {}, {}};
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const SurfaceEdge& before = edges[k == 0 ? edges.size() - 1 : k - 1];
+    PieceCorner corner{{}, before.corner, edges[k].wall};
+    if (before.corner != none) {
+      corner.place = {{s.plane, before.wall, edges[k].wall}, 0x1p-53, scene_.points().approx(before.corner)};
+    } else {
+      corner.place = make_vertex(planes_, s.plane, before.wall, edges[k].wall);
+    }
+    corners_.push_back(corner);
+  }
+  bound(piece);
+  return piece;
+}
+
+int Pieces::sides(const Piece& piece, PlaneId plane) {
+  if (piece.plane == plane) return 0;
+  sign_.clear();
+  int found = 0;
+  for (const PieceCorner& c : corners(piece)) {
+    const Sign s = side(c, plane);
+    sign_.push_back(static_cast<std::int8_t>(s));
+    found |= s < 0 ? 1 : s > 0 ? 2 : 0;
+  }
+  return found;
+}
+
+void Pieces::split(const Piece& piece, PlaneId plane, Piece& behind, Piece& front) {
+  for (auto& half : halves_) half.clear();
+  const auto corner = corners(piece);
+  const std::size_t n = corner.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const int here = sign_[k], next = sign_[(k + 1) % n];
+    if (here == 0) {
+      // Where a half leaves the plane the old edge follows, where it enters it the cut does.
+      PieceCorner cut = corner[k];
+      cut.side = plane;
+      halves_[0].push_back(next < 0 ? corner[k] : cut);
+      halves_[1].push_back(next > 0 ? corner[k] : cut);
+      continue;
+    }
+    halves_[here > 0].push_back(corner[k]);
+    if (here * next < 0) {
+      PieceCorner made{make_vertex(planes_, piece.plane, corner[k].side, plane), none, plane};
+      halves_[here > 0].push_back(made);
+      made.side = corner[k].side;
+      halves_[here < 0].push_back(made);
+    }
+  }
+  Piece* const out[2] = {&behind, &front};
+  for (int h = 0; h < 2; ++h) {
+    *out[h] = {piece.surface, piece.plane, static_cast<std::uint32_t>(corners_.size()),
+               static_cast<std::uint32_t>(halves_[h].size()), {}, {}};
+    corners_.insert(corners_.end(), halves_[h].begin(), halves_[h].end());
+    bound(*out[h]);
+  }
+}
+
+}  // namespace sightline

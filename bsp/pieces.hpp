@@ -1,0 +1,50 @@
+// Convex pieces of surfaces, cut to the cells in which they lie.
+#pragma once
+
+#include "exact/predicates.hpp"
+#include "scene/scene.hpp"
+
+namespace sightline {
+
+/// A corner of a piece: a point of the scene, or where three planes meet. The edge that follows it lies in `side`.
+struct PieceCorner {
+  ImplicitVertex place;
+  PointId point;
+  PlaneId side;
+};
+
+/// A part of a surface: corners[first .. first + count), counter-clockwise seen from the front of its plane; bounds in
+/// unit coordinates, rounded, for choosing where to cut, never for deciding what is where.
+struct Piece {
+  SurfaceId surface;
+  PlaneId plane;
+  std::uint32_t first, count;
+  glm::dvec3 low, high;
+};
+
+/// The arena in which the corners of all pieces lie. `planes` is the growing table of the complex.
+class Pieces {
+ public:
+  Pieces(const Scene& scene, const PlaneTable& planes) : scene_(scene), planes_(planes) {}
+
+  Piece whole(SurfaceId surface);
+  Sign side(const PieceCorner& corner, PlaneId plane) const {
+    return corner.point != none ? point_side(planes_, corner.point, plane) : vertex_side(planes_, corner.place, plane);
+  }
+  /// Where the piece lies: bit 0 set: partly behind the plane, bit 1: partly in front; 0: in the plane.
+  int sides(const Piece& piece, PlaneId plane);
+  /// Cuts the piece, which lies on both sides, as found by the call of sides() just before.
+  void split(const Piece& piece, PlaneId plane, Piece& behind, Piece& front);
+  std::span<const PieceCorner> corners(const Piece& p) const { return std::span(corners_).subspan(p.first, p.count); }
+
+ private:
+  void bound(Piece& piece) const;
+
+  const Scene& scene_;
+  const PlaneTable& planes_;
+  std::vector<PieceCorner> corners_;
+  std::vector<std::int8_t> sign_;  // of the corners, by the latest call of sides()
+  std::vector<PieceCorner> halves_[2];
+};
+
+}  // namespace sightline

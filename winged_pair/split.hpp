@@ -1,0 +1,70 @@
+// Splitting: every operation leaves a 3-manifold behind.
+#pragma once
+
+#include <unordered_map>
+
+#include "winged_pair/traverse.hpp"
+
+namespace sightline {
+
+/// A complex of one cell, the box from `lower` to `upper` (grid units, lower < upper on each axis). Edges 0..11, faces
+/// 0..5 (x low, x high, y low, y high, z low, z high).
+Complex make_box(const Scene& scene, const Integer lower[3], const Integer upper[3]);
+
+/// The index of a set of surfaces (ascending, distinct) as a face label; `base` plus one surface. Labels are interned.
+class Labels {
+ public:
+  explicit Labels(Complex& complex) : complex_(&complex) {}
+  LabelId with(LabelId base, SurfaceId added);
+
+ private:
+  Complex* complex_;
+  std::unordered_map<std::uint64_t, LabelId> next_;  // (base, added) -> label
+};
+
+/// Splits elements of one complex by planes. Holds scratch memory; one object serves a whole construction.
+///
+/// Laws. After each call: check() finds no fault that was not there before; ids of existing elements stay valid; a
+/// split edge keeps vertex[0], a split face keeps the part behind the plane, a split cell the part behind it.
+class Splitter {
+ public:
+  explicit Splitter(Complex& complex) : c_(complex) {}
+
+  struct CellCut {
+    CellId front = none;  // the new cell; none: the plane does not meet the interior of the cell, nothing was done
+    FaceId face = none;   // the new face between them
+  };
+  CellCut cut_cell(CellId cell, PlaneId plane);
+
+  /// Where a face lies against a plane other than its own.
+  enum class Side { behind, front, crossed };
+  Side classify_face(FaceId face, PlaneId plane);
+  /// Splits a crossed face (classified by the call just before): returns the new part in front; `between` is the edge.
+  FaceId cut_face(FaceId face, PlaneId plane, EdgeId* between);
+  /// After classify_face: the sign of one of the face's vertices; the pairs of it whose edges lie on the plane.
+  Sign sign(VertexId v) const { return sign_[v]; }
+  template <class Visit>
+  void for_pairs_on(FaceId face, Visit&& visit) {
+    for_pairs_of_face(c_, face, [&](PairId p) {
+      if (sign_[pair_tail(c_, p)] == 0 && sign_[pair_head(c_, p)] == 0) visit(p);
+    });
+  }
+
+ private:
+  void classify(VertexId v, PlaneId plane);
+  VertexId split_edge(EdgeId edge, PlaneId plane);
+  FaceId split_face(FaceId face, PlaneId plane, EdgeId* between);
+  FaceId cap(CellId back, CellId front, PlaneId plane);
+  void join_clock(PairId before, PairId after);
+  void join_spin(PairId before, PairId after);
+
+  Complex& c_;
+  Marks face_marks_, vertex_marks_, edge_marks_;
+  std::vector<std::int8_t> sign_;  // of vertices against the plane at hand; valid where vertex_marks_ say so
+  std::vector<FaceId> faces_;
+  std::vector<EdgeId> edges_;
+  std::vector<PairId> ring_, rim_;
+  std::vector<PairId> rim_at_;     // by vertex: the rim pair that starts there
+};
+
+}  // namespace sightline
