@@ -1,0 +1,37 @@
+#include "app/options.hpp"
+
+#include "app/exit_codes.hpp"
+
+#include <CLI/CLI.hpp>
+#include <thread>
+
+namespace sightline::app {
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+  command.add_option("--snap", options.snap, "Move coordinates and eyes to the nearest multiples of this decimal unit")
+      ->type_name("UNIT");
+  command.add_flag("--one-sided", options.one_sided, "Polygons are opaque only from their counter-clockwise side");
+  command.add_option("--threads", options.threads, "Threads to use (default: one a processor)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command.add_option("--engine", options.engine, "Algorithm: cells, front-to-back or hybrid")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command.add_option("--report", options.report, "Write times, counts and decision tallies to this JSON file")
+      ->type_name("FILE");
+  command.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
+  command.add_flag("--json", options.json, "Print the report to standard output");
+  command.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print the version and exit");
+}
+
+void check(CommonOptions& options) {
+  if (options.engine == "front-to-back" || options.engine == "hybrid") {
+    throw UsageError("--engine " + options.engine + ": not in this version, which has only the engine 'cells'");
+  }
+  if (options.engine != "cells") {
+    throw UsageError("--engine " + options.engine + ": no such engine (cells, front-to-back, hybrid)");
+  }
+  if (options.threads == 0) options.threads = std::max(1u, std::thread::hardware_concurrency());
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,92 @@
+#include "app/report.hpp"
+
+#include "app/files.hpp"
+#include "bsp/build.hpp"
+#include "exact/tally.hpp"
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+namespace sightline::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint64_t peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+Json scene_json(const Scene& scene) {
+  const SceneReport& r = scene.report();
+  return {{"source", scene.soup().source},
+          {"polygons", scene.polygon_count()},
+          {"vertices", scene.soup().vertices.size()},
+          {"dropped", r.dropped},
+          {"nonplanar", r.nonplanar},
+          {"nonconvex", r.nonconvex},
+          {"self_crossing", r.self_crossing},
+          {"duplicates", r.duplicates},
+          {"surfaces", scene.surfaces().size()},
+          {"planes", scene.planes().size()},
+          {"bits", scene.grid().bits()},
+          {"snap", scene.options().snap.empty() ? Json() : Json(scene.options().snap)},
+          {"largest_displacement", r.largest_displacement},
+          {"one_sided", scene.options().one_sided}};
+}
+
+Json complex_json(const ComplexFigures& c) {
+  return {{"seconds", c.seconds}, {"from_file", c.from_file}, {"cells", c.cells}, {"faces", c.faces},
+          {"edges", c.edges},     {"vertices", c.vertices},   {"pairs", c.pairs}, {"bytes", c.bytes}};
+}
+
+Json camera_json(std::size_t index, const CameraFigures& c) {
+  if (!c.error.empty()) return {{"index", index}, {"error", c.error}};
+  return {{"index", index},   {"seconds", c.seconds}, {"beams", c.beams},      {"cells", c.cells},
+          {"faces", c.faces}, {"edges", c.edges},     {"vertices", c.vertices}};
+}
+
+Json decisions_json() {
+  const Tally total = tally_total();
+  Json exact = Json::object();
+  for (std::size_t k = 0; k < Tally::widths.size(); ++k) {
+    exact[Tally::widths[k] == 0 ? "longer" : std::to_string(Tally::widths[k])] = total.exact[k];
+  }
+  return {{"identity", total.identity}, {"filter", total.filter}, {"exact", exact}};
+}
+
+}  // namespace
+
+ComplexFigures figures_of(const Complex& complex) {
+  ComplexFigures f;
+  f.cells = complex.cells.size();
+  f.faces = complex.faces.size();
+  f.edges = complex.edges.size();
+  f.vertices = complex.vertices.size();
+  f.pairs = complex.pairs.size();
+  f.bytes = complex_bytes(complex);
+  return f;
+}
+
+std::string report_json(const Report& report, const CommonOptions& options) {
+  Json json = {{"version", SIGHTLINE_VERSION}, {"command", report.command}, {"threads", options.threads},
+               {"engine", options.engine},     {"seconds", report.seconds}, {"peak_bytes", peak_bytes()}};
+  if (report.scene) json["scene"] = scene_json(*report.scene);
+  if (report.complex) json["complex"] = complex_json(*report.complex);
+  json["cameras"] = Json::array();
+  for (std::size_t k = 0; k < report.cameras.size(); ++k) json["cameras"].push_back(camera_json(k, report.cameras[k]));
+  json["decisions"] = decisions_json();
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void publish(const Report& report, const CommonOptions& options) {
+  if (options.report.empty() && !options.json) return;
+  const std::string text = report_json(report, options);
+  if (!options.report.empty()) write_text(options.report, text);
+  if (options.json) print_result(text);
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,40 @@
+// The report of a run (`--report`, `--json`).
+#pragma once
+
+#include "app/options.hpp"
+#include "scene/scene.hpp"
+#include "winged_pair/complex.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sightline::app {
+
+struct ComplexFigures {
+  double seconds = 0;  // from a scene in memory to the complex; 0 when it was read from a file
+  bool from_file = false;
+  std::size_t cells = 0, faces = 0, edges = 0, vertices = 0, pairs = 0, bytes = 0;
+};
+ComplexFigures figures_of(const Complex& complex);
+
+struct CameraFigures {
+  double seconds = 0;  // from a camera to its finished map in memory
+  std::uint32_t beams = 0, cells = 0, faces = 0, edges = 0, vertices = 0;
+  std::string error;  // why it failed; empty when it did not
+};
+
+struct Report {
+  std::string command;
+  std::optional<Scene> scene;
+  std::optional<ComplexFigures> complex;
+  std::vector<CameraFigures> cameras;
+  double seconds = 0;  // the whole run, reading and writing included
+};
+
+/// The report as JSON, with the decision tallies and the peak of memory of this process.
+std::string report_json(const Report& report, const CommonOptions& options);
+/// Writes it where the options ask for it.
+void publish(const Report& report, const CommonOptions& options);
+
+}  // namespace sightline::app

@@ -1,0 +1,172 @@
+// sightline trace SCENE|X.wp --cameras C -o DIR
+#include "beam/trace.hpp"
+
+#include "app/describe.hpp"
+#include "app/exit_codes.hpp"
+#include "app/files.hpp"
+#include "app/messages.hpp"
+#include "app/report.hpp"
+#include "app/stopwatch.hpp"
+#include "bsp/build.hpp"
+#include "scene/read.hpp"
+#include "visibility_map/write.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace sightline::app {
+
+namespace {
+
+struct TraceCommand {
+  CommonOptions common;
+  std::filesystem::path input, cameras, folder;
+  std::vector<std::string> formats{"map"};
+};
+
+std::set<std::string> checked_formats(const std::vector<std::string>& names) {
+  static const std::set<std::string> known{"map", "svg", "png", "pdf", "csv"};
+  for (const std::string& name : names) {
+    if (!known.contains(name)) throw UsageError("--format " + name + ": no such format (map, svg, png, pdf, csv)");
+  }
+  return {names.begin(), names.end()};
+}
+
+/// Files of one camera after the other: DIR/0000.map.json, DIR/0000.svg, ..
+class MapWriter {
+ public:
+  MapWriter(const std::filesystem::path& folder, const std::set<std::string>& formats, std::size_t cameras)
+      : folder_(folder), formats_(formats), csv_(cameras) {}
+
+  /// From any thread, for different cameras at a time.
+  void write(std::size_t camera, const VisibilityMap& map, const Scene& scene) {
+    if (wants("map")) write_text(name(camera, ".map.json"), map_json(map, scene));
+    if (wants("svg")) write_text(name(camera, ".svg"), map_svg(map, scene));
+    if (wants("png")) {
+      const auto file = name(camera, ".png");
+      write_safely(file, [&] { write_map_png(file, map, scene); });
+    }
+    if (wants("pdf")) {
+      const auto file = name(camera, ".pdf");
+      write_safely(file, [&] { write_map_pdf(file, map, scene); });
+    }
+    if (wants("csv")) csv_[camera] = map_csv(map, scene, camera);
+  }
+  /// After the last camera: what is one file for all.
+  void finish() {
+    if (!wants("csv")) return;
+    std::string text = csv_header;
+    for (const std::string& rows : csv_) text += rows;
+    write_text(folder_ / "visibility.csv", text);
+  }
+
+ private:
+  bool wants(const std::string& format) const { return formats_.contains(format); }
+  std::filesystem::path name(std::size_t camera, const char* ending) const {
+    std::string digits = std::to_string(camera);
+    if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
+    return folder_ / (digits + ending);
+  }
+
+  std::filesystem::path folder_;
+  std::set<std::string> formats_;
+  std::vector<std::string> csv_;
+};
+
+CameraFigures camera_figures(const TraceStats& s) {
+  return {s.seconds, s.beams, s.cells, s.faces, s.edges, s.vertices, {}};
+}
+
+/// Traces all cameras and writes their maps; a camera that fails leaves its reason in its figures.
+std::vector<CameraFigures> trace_all(const Scene& scene, const Complex& complex, const std::vector<Camera>& cameras,
+                                     MapWriter& writer, const CommonOptions& options) {
+  struct Worker {
+    std::optional<Tracer> tracer;
+    VisibilityMap map;
+  };
+  std::vector<CameraFigures> figures(cameras.size());
+  Progress progress("tracing", cameras.size(), options.quiet);
+  tbb::enumerable_thread_specific<Worker> workers;
+  const auto trace_one = [&](std::size_t k) {
+    Worker& worker = workers.local();
+    try {
+      if (!worker.tracer) worker.tracer.emplace(scene, complex);
+      TraceStats stats{};
+      worker.tracer->trace(cameras[k], worker.map, &stats);
+      figures[k] = camera_figures(stats);
+      writer.write(k, worker.map, scene);
+    } catch (const std::exception& error) {
+      figures[k].error = error.what();
+      worker.tracer.reset();  // its buffers may be in any state
+    }
+    progress.step();
+  };
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
+  tbb::task_arena arena(static_cast<int>(options.threads));
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), trace_one, tbb::simple_partitioner()); });
+  return figures;
+}
+
+int trace_cameras(TraceCommand& command) {
+  check(command.common);
+  const std::set<std::string> formats = checked_formats(command.formats);
+  const Stopwatch watch;
+  const std::vector<Camera> cameras = read_cameras(command.cameras);
+  if (cameras.empty()) throw InputError(command.cameras.string() + ": no camera in it");
+  Input input = read_input(command.input, command.common);
+  make_folder(command.folder);
+  tell(describe(input.scene), command.common.quiet);
+
+  Report report{"trace", input.scene, {}, {}, 0};
+  if (input.complex) {
+    report.complex = figures_of(*input.complex);
+    report.complex->from_file = true;
+  } else {
+    BuildStats stats;
+    input.complex = build(input.scene, {}, &stats);
+    report.complex = figures_of(*input.complex);
+    report.complex->seconds = stats.seconds;
+  }
+  tell(describe(*report.complex), command.common.quiet);
+
+  MapWriter writer(command.folder, formats, cameras.size());
+  report.cameras = trace_all(input.scene, *input.complex, cameras, writer, command.common);
+  writer.finish();
+  report.seconds = watch.seconds();
+  publish(report, command.common);
+
+  std::size_t failed = 0;
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    if (report.cameras[k].error.empty()) continue;
+    complain("camera " + std::to_string(k) + " failed: " + report.cameras[k].error);
+    ++failed;
+  }
+  tell(counted(cameras.size() - failed, "camera") + " traced to " + command.folder.string(), command.common.quiet);
+  return failed == 0 ? done : some_failed;
+}
+
+}  // namespace
+
+void add_trace_command(CLI::App& root, Run& run) {
+  auto command = std::make_shared<TraceCommand>();
+  CLI::App* sub = root.add_subcommand("trace", "Make the visibility map of every camera");
+  sub->add_option("scene", command->input, "Polygon file, or .wp file of `sightline build`")
+      ->required()
+      ->type_name("SCENE|X.wp");
+  sub->add_option("--cameras", command->cameras, "Cameras file")->required()->type_name("C");
+  sub->add_option("-o,--output", command->folder, "Folder for the maps; made if missing")->required()->type_name("DIR");
+  sub->add_option("--format", command->formats, "What to write: map, svg, png, pdf, csv (default: map)")
+      ->delimiter(',')
+      ->expected(1)
+      ->type_name("LIST");
+  add_common_options(*sub, command->common);
+  sub->callback([command, &run] { run = [command] { return trace_cameras(*command); }; });
+}
+
+}  // namespace sightline::app

@@ -1,0 +1,85 @@
+// sightline verify SCENE MAP.json ..: runs the separate program sightline-verify, which shares no code with the kernel.
+#include "app/exit_codes.hpp"
+#include "app/interrupt.hpp"
+#include "app/messages.hpp"
+#include "app/options.hpp"
+
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstring>
+#include <system_error>
+
+namespace sightline::app {
+
+namespace {
+
+constexpr const char* program = "sightline-verify";
+
+/// Beside this executable, or where the installation puts it.
+std::filesystem::path find_verifier() {
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (const auto& folder : {here, here.parent_path() / SIGHTLINE_LIBEXEC / "sightline"}) {
+    if (access((folder / program).c_str(), X_OK) == 0) return folder / program;
+  }
+  throw std::runtime_error(std::string(program) + " is neither in " + here.string() + " nor in " + SIGHTLINE_LIBEXEC +
+                           "/sightline of the installation");
+}
+
+/// Starts it with the signals that this process holds back let through.
+pid_t start(const std::filesystem::path& verifier, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t nothing;
+  sigemptyset(&nothing);
+  posix_spawnattr_setsigmask(&attributes, &nothing);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  pid_t child = 0;
+  const int error = posix_spawn(&child, verifier.c_str(), nullptr, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  if (error != 0) throw std::system_error(error, std::generic_category(), verifier.string());
+  return child;
+}
+
+int verify_maps(const std::vector<std::string>& arguments) {
+  const pid_t child = start(find_verifier(), arguments);
+  set_interrupted_child(child);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
+  }
+  set_interrupted_child(0);
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  const int signal = WTERMSIG(status);
+  if (signal == SIGINT || signal == SIGTERM) return 128 + signal;
+  complain(std::string(program) + " was ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")");
+  return internal_error;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& root, Run& run) {
+  CLI::App* sub = root.add_subcommand("verify", "Check maps against the scene in exact rationals, independently");
+  sub->footer(
+      "SCENE MAP.json [MAP.json ..] and options are passed to the separate program sightline-verify;\n"
+      "see sightline-verify --help.\n"
+      "Exit code 0: every map is right; 1: a fault was found; 3: bad input.");
+  sub->set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print the version and exit");
+  sub->prefix_command();
+  sub->callback([sub, &run] {
+    const std::vector<std::string> arguments = sub->remaining();
+    if (arguments.empty()) throw UsageError("verify: SCENE and MAP.json are needed (see sightline verify --help)");
+    run = [arguments] { return verify_maps(arguments); };
+  });
+}
+
+}  // namespace sightline::app
