@@ -47,8 +47,8 @@ class Grid {
   double step() const;
 
  private:
-  int exponent_ = 0;          // without a snap: step = 2^exponent_
-  mpq_class unit_{1};         // with a snap: step = unit_
+  int exponent_ = 0;   // without a snap: step = 2^exponent_
+  mpq_class unit_{1};  // with a snap: step = unit_
   std::array<Integer, 3> origin_;
   int unit_bits_ = 1;
   int bits_ = 0;

@@ -5,7 +5,7 @@
 #include "exact/point_table.hpp"
 
 #include <array>
-#include <unordered_map>
+#include <vector>
 
 namespace sightline {
 
@@ -45,25 +45,43 @@ class PlaneTable {
   const ApproxPlane& approx(PlaneId p) const { return approx_[p]; }
   const PlaneSource& source(PlaneId p) const { return source_[p]; }
   /// Component k of the plane: 0..2 the normal, 3 the offset d.
-  Limbs component(PlaneId p, int k) const { return store_[4 * p + static_cast<std::uint32_t>(k)]; }
-  Integer integer(PlaneId p, int k) const { return store_.integer(4 * p + static_cast<std::uint32_t>(k)); }
-  std::uint32_t normal_bits(PlaneId p) const { return normal_bits_[p]; }  // the longest component of n
-  std::uint32_t offset_bits(PlaneId p) const { return component(p, 3).bits; }
+  Limbs component(PlaneId p, int k) const;
+  Integer integer(PlaneId p, int k) const;
+  std::uint32_t normal_bits(PlaneId p) const { return record_[p].normal_bits; }  // the longest component of n
+  std::uint32_t offset_bits(PlaneId p) const { return record_[p].offset_bits; }
+  /// The three components of n, words_for(normal_bits(p)) words each; then d, words_for(offset_bits(p)) words.
+  const std::uint64_t* words(PlaneId p) const { return words_.data() + record_[p].first; }
   /// The axis k with n = e_k, or -1.
   int axis(PlaneId p) const { return axis_[p]; }
   const PointTable& points() const { return *points_; }
   void rebind(const PointTable& points) { points_ = &points; }  // after the points have moved in memory
 
+  /// Memory held, in bytes, the index of the interning left out.
+  std::size_t bytes() const {
+    return words_.size() * sizeof(words_[0]) +
+           size() * (sizeof(Record) + sizeof(ApproxPlane) + sizeof(PlaneSource) + sizeof(axis_[0]));
+  }
+
  private:
+  // Where a plane's words stand: words_for(normal_bits) for each component of n, then words_for(offset_bits) for d.
+  struct Record {
+    std::uint64_t first;
+    std::uint32_t normal_bits;
+    std::uint32_t offset_bits;
+  };
   Interned intern(const std::array<Integer, 3>& n, const Integer& d, const PlaneSource& source);
+  Interned intern_words(const std::uint64_t* words, std::uint32_t normal_bits, std::uint32_t offset_bits, bool flipped,
+                        const PlaneSource& source);
+  void grow_index();
 
   const PointTable* points_ = nullptr;
-  LimbStore store_;
+  std::vector<std::uint64_t> words_;
+  std::vector<Record> record_;
   std::vector<ApproxPlane> approx_;
   std::vector<PlaneSource> source_;
-  std::vector<std::uint32_t> normal_bits_;
   std::vector<std::int8_t> axis_;
-  std::unordered_multimap<std::uint64_t, PlaneId> index_;
+  std::vector<std::uint64_t> hash_;
+  std::vector<PlaneId> index_;  // open addressing by hash; a power of two slots
 };
 
 }  // namespace sightline

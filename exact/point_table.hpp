@@ -22,11 +22,15 @@ class PointTable {
   Limbs coordinate(PointId p, int axis) const;  // two's complement words, for the fixed-width stages
   const Grid& grid() const { return grid_; }
   int bits() const { return grid_.bits(); }
+  /// Words a coordinate; words(p) are the three coordinates one after the other, two's complement.
+  std::uint32_t stride() const { return stride_; }
+  const std::uint64_t* words(PointId p) const { return words_.data() + std::size_t{3} * stride_ * p; }
 
  private:
   Grid grid_;
   std::vector<glm::dvec3> approx_;
-  LimbStore store_;
+  std::vector<std::uint64_t> words_;  // stride_ words a coordinate, as the longest needs
+  std::uint32_t stride_ = 1;
 };
 
 }  // namespace sightline

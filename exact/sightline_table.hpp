@@ -2,8 +2,12 @@
 #pragma once
 
 #include "exact/predicates.hpp"
+#include "exact/stamped_map.hpp"
+#include "exact/wide.hpp"
 
+#include <glm/vec2.hpp>
 #include <span>
+#include <vector>
 
 namespace sightline {
 
@@ -37,17 +41,47 @@ class SightlineTable {
   /// Is the point p in the eye?
   bool is_eye(PointId p) const;
 
-  std::uint32_t size() const;
+  std::uint32_t size() const { return static_cast<std::uint32_t>(approx_.size()); }
   /// The canonical normal scaled by a power of two to largest component in [1/2, 1], each component within 2^-53.
-  const glm::dvec3& approx(SightlineId id) const;
+  const glm::dvec3& approx(SightlineId id) const { return approx_[id]; }
   std::array<Integer, 3> normal(SightlineId id) const;
+  /// Bit length of the longest component of the canonical normal.
+  std::uint32_t bits(SightlineId id) const { return line_[id].bits; }
+  /// The canonical normal's components one after the other, words_for(bits(id)) two's complement words each.
+  const std::uint64_t* words(SightlineId id) const { return words_.data() + line_[id].first; }
   const PlaneTable& planes() const { return *planes_; }
   const GridPoint& eye() const { return eye_; }
 
  private:
+  struct Line {
+    std::uint64_t first;
+    std::uint32_t bits;
+  };
+  SightlineRef intern(std::uint64_t* words, std::uint32_t stride);
+  SightlineRef find_or_add(const std::uint64_t* words, std::uint32_t bits, const glm::dvec3& approx);
+  bool same_line(SightlineId id, const std::uint64_t* words, std::uint32_t bits, const glm::dvec3& approx) const;
+  template <int W>
+  std::array<Wide<W>, 3> from_eye(PointId p) const;
+  SightlineRef make_of_points(PointId a, PointId b);
+  SightlineRef make_of_planes(PlaneId p, PlaneId q);
+  Sign exact_order(SightlineId a, SightlineId b, SightlineId c) const;
+
   const PlaneTable* planes_ = nullptr;
   GridPoint eye_;
-  // The rest is exact/'s own; see sightline_table.cpp.
+  std::vector<std::uint64_t> eye_words_;  // the eye's coordinates, eye_stride_ words each
+  std::uint32_t eye_stride_ = 1;
+  int eye_bits_ = 0;
+  int difference_bits_ = 0;  // of point - eye on the eye's grid
+  glm::dvec3 eye_approx_{0};
+  double eye_reach_ = 0;  // largest |unit coordinate| of the eye
+
+  std::vector<std::uint64_t> words_;
+  std::vector<Line> line_;
+  std::vector<glm::dvec3> approx_;
+  StampedMap by_direction_, by_points_, by_planes_;
+  std::vector<std::uint32_t> side_stamp_;
+  std::vector<std::int8_t> side_;
+  std::uint32_t stamp_ = 0;
 };
 
 /// The window of a perspective camera: the ray of (s,t) in [0,1]^2 is forward + (s-1/2) right + (t-1/2) up.
@@ -55,7 +89,7 @@ class Window {
  public:
   enum Side { left, right, bottom, top };
   /// Throws std::invalid_argument if the three vectors are linearly dependent or not finite.
-  Window(const glm::dvec3& forward, const glm::dvec3& right, const glm::dvec3& up);
+  Window(const glm::dvec3& f, const glm::dvec3& r, const glm::dvec3& u);  // forward, right, up
   /// The window's side as a sightline of the table, its normal pointing into the window.
   SightlineRef side(SightlineTable& table, Side which) const;
   /// +1: right x up points backwards, as in every camera made from angles; -1: a mirrored camera.

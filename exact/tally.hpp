@@ -16,9 +16,22 @@ struct Tally {
   Tally operator-(const Tally& o) const;
 };
 
+namespace tally_detail {
+struct ThreadTally {
+  Tally counts;
+  bool registered = false;
+};
+extern constinit thread_local ThreadTally of_this_thread;
+void register_thread();
+}  // namespace tally_detail
+
 /// The calling thread's own counter.
-Tally& tally();
-/// Sum over all threads, those that have ended included.
+inline Tally& tally() {
+  if (!tally_detail::of_this_thread.registered) [[unlikely]]
+    tally_detail::register_thread();
+  return tally_detail::of_this_thread.counts;
+}
+/// Sum over all threads, those that have ended included. Complete when no other thread is deciding at the time.
 Tally tally_total();
 
 }  // namespace sightline

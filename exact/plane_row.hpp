@@ -1,0 +1,35 @@
+// A plane's four integers, ready to be loaded at any width; and the determinants of normals.
+#pragma once
+
+#include "exact/plane_table.hpp"
+#include "exact/wide.hpp"
+
+namespace sightline {
+
+struct PlaneRow {
+  const std::uint64_t* words;
+  std::uint32_t normal_words, offset_words;
+  int normal_bits, offset_bits;
+
+  PlaneRow() = default;
+  PlaneRow(const PlaneTable& planes, PlaneId p)
+      : words(planes.words(p)),
+        normal_words(words_for(planes.normal_bits(p))),
+        offset_words(words_for(planes.offset_bits(p))),
+        normal_bits(static_cast<int>(planes.normal_bits(p))),
+        offset_bits(static_cast<int>(planes.offset_bits(p))) {}
+
+  template <int W>
+  Wide3<W> normal() const {
+    return load3<W>(words, normal_words);
+  }
+  template <int W>
+  Wide<W> offset() const {
+    return load<W>(words + 3 * normal_words, offset_words);
+  }
+};
+
+/// Sign of det(n_a, n_b, n_c), exactly.
+Sign exact_normals_orientation(const PlaneRow& a, const PlaneRow& b, const PlaneRow& c);
+
+}  // namespace sightline
