@@ -1,6 +1,8 @@
 // All of sightline that is public.
 #pragma once
 
+#include "beam/trace.hpp"
+#include "bsp/build.hpp"
 #include "exact/grid.hpp"
 #include "exact/limbs.hpp"
 #include "exact/plane_table.hpp"
@@ -9,12 +11,14 @@
 #include "exact/sightline_table.hpp"
 #include "exact/tally.hpp"
 #include "exact/types.hpp"
+#include "models/model.hpp"
 #include "scene/camera.hpp"
 #include "scene/errors.hpp"
 #include "scene/read.hpp"
 #include "scene/scene.hpp"
 #include "visibility_map/fragment.hpp"
 #include "visibility_map/map.hpp"
+#include "visibility_map/read.hpp"
 #include "visibility_map/stitch.hpp"
 #include "visibility_map/write.hpp"
 #include "winged_pair/check.hpp"

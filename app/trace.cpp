@@ -92,12 +92,13 @@ std::vector<CameraFigures> trace_all(const Scene& scene, const Complex& complex,
   };
   std::vector<CameraFigures> figures(cameras.size());
   Progress progress("tracing", cameras.size(), options.quiet);
+  const Tracer prepared(scene, complex);
   tbb::enumerable_thread_specific<Worker> workers;
   const auto trace_one = [&](std::size_t k) {
     Worker& worker = workers.local();
     try {
-      if (!worker.tracer) worker.tracer.emplace(scene, complex);
-      TraceStats stats{};
+      if (!worker.tracer) worker.tracer.emplace(prepared);
+      TraceStats stats;
       worker.tracer->trace(cameras[k], worker.map, &stats);
       figures[k] = camera_figures(stats);
       writer.write(k, worker.map, scene);

@@ -1,4 +1,4 @@
-option(SIGHTLINE_APP "Build the sightline command" ON)
+option(SIGHTLINE_APP "Build the sightline command" ${PROJECT_IS_TOP_LEVEL})
 option(SIGHTLINE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(SIGHTLINE_BENCH "Build the benchmarks" OFF)
 option(SIGHTLINE_EXAMPLES "Build the examples" OFF)
