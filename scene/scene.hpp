@@ -14,12 +14,12 @@ using SurfaceId = std::uint32_t;  // a convex piece of a polygon
 
 /// Polygons as a file holds them. `first[k]..first[k+1]` are polygon k's entries in `corners`.
 struct PolygonSoup {
-  std::string source;                       // the file's name, without its folder
+  std::string source;  // the file's name, without its folder
   std::vector<glm::dvec3> vertices;
   std::vector<std::uint32_t> first{0};
   std::vector<std::uint32_t> corners;
-  std::vector<std::string> objects;         // distinct `o`/`g` names in order of appearance; may be empty
-  std::vector<std::uint32_t> object_of;     // per polygon, index into objects or `none`; empty when there are no names
+  std::vector<std::string> objects;      // distinct `o`/`g` names in order of appearance; may be empty
+  std::vector<std::uint32_t> object_of;  // per polygon, index into objects or `none`; empty when there are no names
 };
 
 struct SceneOptions {
@@ -30,9 +30,9 @@ struct SceneOptions {
 /// One edge of a convex piece: it runs along the line of points a and b (an edge or a diagonal of the polygon).
 struct SurfaceEdge {
   PointId a, b;
-  PlaneId wall;     // plane through a, b parallel to the axis in which the piece's plane is steepest
-  Sign inside;      // the side of `wall` on which the piece lies
-  PointId corner;   // the scene point where this edge ends and the next begins; `none` where edges of the file cross
+  PlaneId wall;    // plane through a, b parallel to the axis in which the piece's plane is steepest
+  Sign inside;     // the side of `wall` on which the piece lies
+  PointId corner;  // the scene point where this edge ends and the next begins; `none` where edges of the file cross
 };
 
 /// A convex planar piece of a polygon: a convex polygon is one, others several, which tile it without overlap.
@@ -41,7 +41,7 @@ struct Surface {
   PlaneId plane;
   std::uint32_t first_edge;
   std::uint32_t edge_count;
-  bool flipped;     // the polygon's counter-clockwise normal is opposite to the plane's canonical normal
+  bool flipped;  // the polygon's counter-clockwise normal is opposite to the plane's canonical normal
 };
 
 /// What reading changed or left out.
