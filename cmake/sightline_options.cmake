@@ -28,6 +28,10 @@ endif()
 add_library(sightline_flags INTERFACE)
 target_compile_options(sightline_flags INTERFACE -ffp-contract=off -fno-fast-math -Wall -Wextra -Wshadow -Wconversion
                        $<$<BOOL:${SIGHTLINE_WERROR}>:-Werror>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC 12 warns of overlap in std::string's own operator+ (GCC bug 105329).
+  target_compile_options(sightline_flags INTERFACE -Wno-restrict)
+endif()
 if(SIGHTLINE_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
