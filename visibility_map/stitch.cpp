@@ -1,0 +1,86 @@
+#include "visibility_map/stitch.hpp"
+
+#include "visibility_map/stitch_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sightline {
+
+struct Stitcher::Work : stitching::State {};
+
+Stitcher::Stitcher() : work_(std::make_unique<Work>()) {}
+Stitcher::~Stitcher() = default;
+Stitcher::Stitcher(Stitcher&&) noexcept = default;
+Stitcher& Stitcher::operator=(Stitcher&&) noexcept = default;
+
+namespace {
+
+bool same_window(const Camera& a, const Camera& b) {
+  return a.forward == b.forward && a.right == b.right && a.up == b.up;
+}
+
+/// The eye in unit coordinates, each within 2^-52 of its size (mpz_get_d_2exp truncates).
+void set_eye(stitching::State& s) {
+  const GridPoint& eye = s.table->eye();
+  const int shift = eye.shift + s.scene->grid().unit_bits();
+  s.scale = 1;
+  for (int k = 0; k < 3; ++k) {
+    long exponent = 0;
+    const double part = mpz_get_d_2exp(&exponent, eye.c[static_cast<std::size_t>(k)].get_mpz_t());
+    s.eye[k] = std::ldexp(part, static_cast<int>(exponent) - shift);
+    s.scale = std::max(s.scale, std::abs(s.eye[k]));
+  }
+}
+
+void run(stitching::State& s, VisibilityMap& map) {
+  set_eye(s);
+  arrange(s);
+  find_kinds(s);
+  join_parts(s);
+  number(s, map);
+  trace_loops(s, map);
+  measure(s, map);
+  name_scene_vertices(s, map);
+}
+
+}  // namespace
+
+void Stitcher::stitch(const Scene& scene, const Camera& camera, SightlineTable& table, const Fragments& fragments,
+                      VisibilityMap& map) {
+  Work& s = *work_;
+  s.scene = &scene;
+  s.camera = &camera;
+  s.table = &table;
+  s.fragments = &fragments;
+  if (!s.window || !same_window(s.window_camera, camera)) {
+    s.window.emplace(camera.forward, camera.right, camera.up);
+    s.window_camera = camera;
+  }
+  s.handedness = s.window->handedness();
+  for (const Window::Side side : {Window::left, Window::right, Window::bottom, Window::top}) {
+    s.border[side] = s.window->side(table, side);
+  }
+  const glm::dvec3& f = camera.forward;
+  s.ahead = f / std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
+  map.camera = camera;
+  map.sphere = false;
+  run(s, map);
+}
+
+void Stitcher::stitch_sphere(const Scene& scene, const glm::dvec3& eye, SightlineTable& table,
+                             const Fragments& fragments, VisibilityMap& map) {
+  Work& s = *work_;
+  s.scene = &scene;
+  s.camera = nullptr;
+  s.table = &table;
+  s.fragments = &fragments;
+  s.handedness = 1;
+  s.ahead = {0, 0, 0};
+  map.camera = Camera{};
+  map.camera.eye = eye;
+  map.sphere = true;
+  run(s, map);
+}
+
+}  // namespace sightline
