@@ -37,12 +37,12 @@ void enlarged_box(const Scene& scene, Integer lower[3], Integer upper[3]) {
 
 class Builder {
  public:
-  Builder(const Scene& scene, Complex& complex)
+  Builder(const Scene& scene, Complex& complex, const ChoiceWeights& weights)
       : c_(complex),
         splitter_(complex),
         labeller_(scene, complex, splitter_),
         pieces_(scene, complex.planes),
-        chooser_(scene, complex.planes, pieces_, {}) {
+        chooser_(scene, complex.planes, pieces_, weights) {
     for (SurfaceId s = 0; s < scene.surfaces().size(); ++s) waiting_.push_back(pieces_.whole(s));
   }
 
@@ -121,12 +121,12 @@ std::size_t complex_bytes(const Complex& c) {
          (c.label_first.size() + c.label_surfaces.size()) * sizeof(std::uint32_t) + c.planes.bytes();
 }
 
-Complex build(const Scene& scene, const BuildOptions&, BuildStats* stats) {
+Complex build(const Scene& scene, const BuildOptions& options, BuildStats* stats) {
   const auto start = std::chrono::steady_clock::now();
   Integer lower[3], upper[3];
   enlarged_box(scene, lower, upper);
   Complex complex = make_box(scene, lower, upper);
-  Builder builder(scene, complex);
+  Builder builder(scene, complex, options.weights);
   builder.run();
   if (stats) {
     stats->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,11 +1,14 @@
 // From a scene to its winged-pair complex.
 #pragma once
 
+#include "bsp/weights.hpp"
 #include "winged_pair/complex.hpp"
 
 namespace sightline {
 
-struct BuildOptions {};
+struct BuildOptions {
+  ChoiceWeights weights;  // other weights make another complex of the same scene, with the same maps
+};
 
 struct BuildStats {
   double seconds = 0;       // from the scene in memory to the complex
