@@ -26,7 +26,7 @@ void tell(const std::string& text, bool quiet) {
 }
 
 Progress::Progress(std::string what, std::size_t total, bool quiet)
-    : what_(std::move(what)), total_(total), shown_(!quiet && isatty(STDERR_FILENO)), last_() {
+    : what_(std::move(what)), total_(total), shown_(!quiet && isatty(STDERR_FILENO)) {
   if (shown_) draw(0);
 }
 

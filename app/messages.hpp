@@ -32,7 +32,7 @@ class Progress {
   bool shown_;
   std::atomic<std::size_t> done_ = 0;
   std::mutex mutex_;
-  std::chrono::steady_clock::time_point last_;
+  std::chrono::steady_clock::time_point last_{};
 };
 
 }  // namespace sightline::app
