@@ -51,12 +51,15 @@ struct Entry {
   Model (*make)(std::uint32_t polygons, std::uint64_t seed);
 };
 
-constexpr std::array<Entry, 6> entries{{
+constexpr std::array<Entry, 9> entries{{
     {"rooms", 20, false, [](std::uint32_t, std::uint64_t) { return make_rooms(); }},
     {"maze", 310, true, make_maze},
+    {"arena", 665, false, [](std::uint32_t, std::uint64_t) { return make_arena(); }},
     {"city", 1125, true, make_city},
     {"floor", 1772, true, make_floor},
     {"building", 10057, true, make_building},
+    {"tower", 2409, false, [](std::uint32_t, std::uint64_t) { return make_tower(); }},
+    {"campus", 660, false, [](std::uint32_t, std::uint64_t seed) { return make_campus(seed); }},
     {"random", 1000, true, make_random},
 }};
 
