@@ -213,7 +213,7 @@ Locator& Locator::operator=(Locator&&) noexcept = default;
 
 MapPlace Locator::at(const glm::dvec2& st) const { return in_window(st) ? cells_->at(Spot(st)) : MapPlace{}; }
 
-MapPlace Locator::at(const std::array<Integer, 3>& point) const {
+MapPlace Locator::at_exact(const std::array<Integer, 3>& point) const {
   for (std::size_t k = 1; k < 3; ++k) {
     if (abs(point[k]) * 2 > point[0]) return {};
   }

@@ -31,7 +31,7 @@ class Locator {
   /// May be called by several threads at once.
   MapPlace at(const glm::dvec2& st) const;
   /// The same for an exact point (w, x, y), w > 0, s = 1/2 + x/w, t = 1/2 + y/w.
-  MapPlace at(const std::array<Integer, 3>& point) const;
+  MapPlace at_exact(const std::array<Integer, 3>& point) const;
   /// The face in whose interior the point lies; `none` on edges and vertices and outside.
   std::uint32_t face_at(const glm::dvec2& st) const;
   /// Edges of which some part may lie in the box (at least all that do), in no order, each once.

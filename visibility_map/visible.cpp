@@ -143,7 +143,7 @@ class Visibility {
                                                    exact_.line(table_.normal(view.sides[(i + 1) % n].id)));
       for (std::size_t k = 0; k < 3; ++k) sum[k] += corner[k];
     }
-    return locator_->at(sum);
+    return locator_->at_exact(sum);
   }
 
   double sum_of_areas(const std::vector<ConvexView>& views) const {
