@@ -2,10 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
-#if defined(__x86_64__)
-#include <x86intrin.h>
-#endif
 
 namespace sightline {
 
@@ -20,9 +16,9 @@ struct Fixed {
 namespace fixed_detail {
 
 inline unsigned char add_carry(unsigned char carry, std::uint64_t a, std::uint64_t b, std::uint64_t& sum) {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__clang__)
   unsigned long long out;
-  carry = _addcarry_u64(carry, a, b, &out);
+  carry = __builtin_ia32_addcarryx_u64(carry, a, b, &out);
   sum = out;
   return carry;
 #else
@@ -33,9 +29,9 @@ inline unsigned char add_carry(unsigned char carry, std::uint64_t a, std::uint64
 }
 
 inline unsigned char sub_borrow(unsigned char borrow, std::uint64_t a, std::uint64_t b, std::uint64_t& difference) {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__clang__)
   unsigned long long out;
-  borrow = _subborrow_u64(borrow, a, b, &out);
+  borrow = __builtin_ia32_sbb_u64(borrow, a, b, &out);
   difference = out;
   return borrow;
 #else

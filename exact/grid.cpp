@@ -159,6 +159,28 @@ GridPoint Grid::point(const glm::dvec3& world) const {
   return p;
 }
 
+bool Grid::short_point(const glm::dvec3& world, std::array<std::int64_t, 3>& c) const {
+  if (!snap_.empty()) return false;
+  std::array<std::int64_t, 3> r{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double x = world[static_cast<int>(k)];
+    if (!std::isfinite(x) || mpz_size(origin_[k].get_mpz_t()) > 1) return false;
+    const Dyadic d = dyadic(x);
+    const int shift = d.exponent - exponent_;
+    if (d.mantissa != 0 && (shift < 0 || shift > 64)) return false;
+    // Below 2^53 * 2^64 and 2^64: no overflow.
+    const __int128 steps =
+        d.mantissa == 0 ? 0 : static_cast<__int128>(d.mantissa) * (static_cast<__int128>(1) << shift);
+    const auto size = static_cast<__int128>(mpz_get_ui(origin_[k].get_mpz_t()));
+    const __int128 moved = sgn(origin_[k]) < 0 ? steps + size : steps - size;
+    constexpr __int128 limit = static_cast<__int128>(1) << 62;
+    if (moved >= limit || moved <= -limit) return false;
+    r[k] = static_cast<std::int64_t>(moved);
+  }
+  c = r;
+  return true;
+}
+
 double Grid::world(const Integer& c, int axis) const {
   const Integer sum = c + origin_[static_cast<std::size_t>(axis)];
   if (snap_.empty()) return nearest_double(sum, exponent_);

@@ -32,6 +32,9 @@ class Grid {
   /// The point on the grid. Without a snap it is exact, with shift > 0 where the point is finer than the grid (an
   /// eye may be); with a snap it is the nearest multiple, shift 0.
   GridPoint point(const glm::dvec3& world) const;
+  /// The same for a point that lies on the grid and whose coordinates are short: false, and nothing written, where
+  /// that is not so. Quick; allocates nothing.
+  bool short_point(const glm::dvec3& world, std::array<std::int64_t, 3>& c) const;
   /// The double nearest to a grid coordinate's world value.
   double world(const Integer& c, int axis) const;
   /// Unit coordinate of a world coordinate, rounded; for boxes and drawings, never for decisions.

@@ -7,8 +7,7 @@ namespace sightline {
 
 static_assert(GMP_LIMB_BITS == 64 && GMP_NAIL_BITS == 0, "words and GMP's limbs are the same");
 
-std::uint32_t magnitude_bits(const std::uint64_t* words, std::uint32_t count) {
-  if (count == 1) return magnitude_bits(static_cast<std::int64_t>(words[0]));
+std::uint32_t long_magnitude_bits(const std::uint64_t* words, std::uint32_t count) {
   const bool negative = static_cast<std::int64_t>(words[count - 1]) < 0;
   const std::uint64_t fill = negative ? ~std::uint64_t{0} : 0;
   std::uint32_t top = count;
@@ -57,12 +56,7 @@ Integer load_integer(const std::uint64_t* words, std::uint32_t count) {
   return r;
 }
 
-Sign sign_of_words(const std::uint64_t* words, std::uint32_t count) {
-  if (static_cast<std::int64_t>(words[count - 1]) < 0) return -1;
-  return std::any_of(words, words + count, [](auto w) { return w != 0; }) ? 1 : 0;
-}
-
-double words_to_double(const std::uint64_t* words, std::uint32_t count, int exponent) {
+double long_words_to_double(const std::uint64_t* words, std::uint32_t count, int exponent) {
   while (count > 1 && words[count - 1] == static_cast<std::uint64_t>(static_cast<std::int64_t>(words[count - 2]) >> 63))
     --count;
   if (count == 1) return std::ldexp(static_cast<double>(static_cast<std::int64_t>(words[0])), exponent);

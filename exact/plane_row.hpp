@@ -10,6 +10,7 @@ struct PlaneRow {
   const std::uint64_t* words;
   std::uint32_t normal_words, offset_words;
   int normal_bits, offset_bits;
+  int axis;
 
   PlaneRow() = default;
   PlaneRow(const PlaneTable& planes, PlaneId p)
@@ -17,11 +18,16 @@ struct PlaneRow {
         normal_words(words_for(planes.normal_bits(p))),
         offset_words(words_for(planes.offset_bits(p))),
         normal_bits(static_cast<int>(planes.normal_bits(p))),
-        offset_bits(static_cast<int>(planes.offset_bits(p))) {}
+        offset_bits(static_cast<int>(planes.offset_bits(p))),
+        axis(planes.axis(p)) {}
 
   template <int W>
   Wide3<W> normal() const {
     return load3<W>(words, normal_words);
+  }
+  template <int W>
+  Wide<W> normal(int k) const {
+    return load<W>(words + static_cast<std::uint32_t>(k) * normal_words, normal_words);
   }
   template <int W>
   Wide<W> offset() const {
@@ -31,5 +37,7 @@ struct PlaneRow {
 
 /// Sign of det(n_a, n_b, n_c), exactly.
 Sign exact_normals_orientation(const PlaneRow& a, const PlaneRow& b, const PlaneRow& c);
+/// Sign of the determinant of the four rows (n_i, d_i), exactly; rows along axes are eliminated without arithmetic.
+Sign exact_rows_orientation(std::array<PlaneRow, 4> rows);
 
 }  // namespace sightline

@@ -1,8 +1,11 @@
 #include "exact/plane_table.hpp"
 
+#include "exact/gcd.hpp"
 #include "exact/wide.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 #include <stdexcept>
 
 namespace sightline {
@@ -17,32 +20,141 @@ std::uint64_t mix(std::uint64_t h, std::uint64_t x) {
 }  // namespace
 
 PlaneTable::Interned PlaneTable::add_points(PointId a, PointId b, PointId c) {
-  const auto p = points_->point(a), q = points_->point(b), r = points_->point(c);
-  Wide3<0> u, v;
-  for (std::size_t k = 0; k < 3; ++k) {
-    u[k] = q[k] - p[k];
-    v[k] = r[k] - p[k];
+  const PlaneSource source{PlaneSource::points, a, b, c};
+  const int bits = points_->bits();
+  const std::uint64_t *const p = points_->words(a), *const q = points_->words(b), *const r = points_->words(c);
+  // Differences have B + 1 bits, n 2B + 3, d = n.p 3B + 5: 61 and 92 for B = 29, 123 and 185 for B = 60.
+  const auto normal = [&]<int N, int M>() {
+    const std::uint32_t stride = points_->stride();
+    Wide3<N> u, v;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      u[k] = load<N>(q + k * stride, stride) - load<N>(p + k * stride, stride);
+      v[k] = load<N>(r + k * stride, stride) - load<N>(p + k * stride, stride);
+    }
+    return cross<M, N>(u, v);
+  };
+  // A normal along an axis needs no division: the plane is coordinate = p's.
+  const auto along_axis = [&](const auto& n) -> std::optional<Interned> {
+    const std::array<Sign, 3> s{sign(n[0]), sign(n[1]), sign(n[2])};
+    if (std::abs(s[0]) + std::abs(s[1]) + std::abs(s[2]) != 1) return std::nullopt;
+    const std::size_t k = s[0] != 0 ? 0 : s[1] != 0 ? 1 : 2;
+    Wide3<1> axis{};
+    axis[k].word[0] = 1;
+    Interned made = intern_short(axis, resize<2>(Fixed<1>{{p[k]}}), source);
+    made.flipped = s[k] < 0;
+    return made;
+  };
+  if (bits <= 29) {
+    const Wide3<1> n = normal.operator()<1, 1>();
+    if (const auto made = along_axis(n)) return *made;
+    return intern_short(n, dot<2, 1, 1>(n, load3<1>(p, 1)), source);
   }
-  const Wide3<0> n = cross<0, 0>(u, v);
-  return intern(n, dot<0, 0, 0>(n, p), {PlaneSource::points, a, b, c});
+  if (bits <= 60) {
+    const Wide3<2> n = normal.operator()<1, 2>();
+    if (const auto made = along_axis(n)) return *made;
+    return intern_short(n, dot<3, 2, 1>(n, load3<1>(p, 1)), source);
+  }
+  const Wide3<0> n = normal.operator()<0, 0>();
+  return intern(n, dot<0, 0, 0>(n, points_->point(a)), source);
 }
 
 PlaneTable::Interned PlaneTable::add_axis(int axis, const Integer& value) {
   if (axis < 0 || axis > 2) throw std::invalid_argument("no such axis");
+  const PlaneSource source{PlaneSource::axis, static_cast<std::uint32_t>(axis), 0, 0};
+  const auto k = static_cast<std::size_t>(axis);
+  if (value.fits_slong_p()) {
+    Wide3<1> n{};
+    n[k].word[0] = 1;
+    return intern_short(n, fixed_detail::from_int128(value.get_si()), source);
+  }
   std::array<Integer, 3> n{0, 0, 0};
-  n[static_cast<std::size_t>(axis)] = 1;
-  return intern(n, value, {PlaneSource::axis, static_cast<std::uint32_t>(axis), 0, 0});
+  n[k] = 1;
+  return intern(n, value, source);
 }
 
 PlaneTable::Interned PlaneTable::add_wall(PointId a, PointId b, int axis) {
   if (axis < 0 || axis > 2) throw std::invalid_argument("no such axis");
-  const auto p = points_->point(a), q = points_->point(b);
-  // u x e_k: component k+1 is u_{k+2}, component k+2 is -u_{k+1}.
+  const PlaneSource source{PlaneSource::wall, a, b, static_cast<std::uint32_t>(axis)};
+  // (b - a) x e_k: component k+1 is the difference's k+2, component k+2 its negative k+1.
   const auto k = static_cast<std::size_t>(axis), k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+  // n has B + 1 bits, d two products of 2B + 1.
+  if (points_->bits() <= 60) {
+    const Wide3<1> p = load3<1>(points_->words(a), 1), q = load3<1>(points_->words(b), 1);
+    Wide3<1> n{};
+    n[k1] = q[k2] - p[k2];
+    n[k2] = p[k1] - q[k1];
+    return intern_short(n, dot<2, 1, 1>(n, p), source);
+  }
+  const auto p = points_->point(a), q = points_->point(b);
   Wide3<0> n;
   n[k1] = q[k2] - p[k2];
   n[k2] = p[k1] - q[k1];
-  return intern(n, dot<0, 0, 0>(n, p), {PlaneSource::wall, a, b, static_cast<std::uint32_t>(axis)});
+  return intern(n, dot<0, 0, 0>(n, p), source);
+}
+
+namespace {
+
+UInt128 magnitude(__int128 x) { return x < 0 ? 0 - static_cast<UInt128>(x) : static_cast<UInt128>(x); }
+bool leads_negative(__int128 x, __int128 y, __int128 z) { return x != 0 ? x < 0 : y != 0 ? y < 0 : z < 0; }
+
+}  // namespace
+
+// n in one word, d in two: everything stays short.
+PlaneTable::Interned PlaneTable::intern_short(const std::array<Fixed<1>, 3>& n, const Fixed<2>& d,
+                                              const PlaneSource& source) {
+  std::array<std::int64_t, 3> c;
+  std::uint64_t divisor = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    c[k] = static_cast<std::int64_t>(n[k].word[0]);
+    divisor = gcd_of(divisor, static_cast<std::uint64_t>(c[k] < 0 ? -c[k] : c[k]));
+  }
+  if (divisor == 0) return {};
+  __int128 offset = fixed_detail::to_int128(d);
+  if (divisor > 1) divisor = gcd_of(divisor, static_cast<std::uint64_t>(magnitude(offset) % divisor));
+  const bool flipped = leads_negative(c[0], c[1], c[2]);
+  const auto by = static_cast<std::int64_t>(divisor) * (flipped ? -1 : 1);
+  std::array<std::uint64_t, 5> words;
+  std::uint32_t normal_bits = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (by != 1) c[k] /= by;
+    normal_bits = std::max(normal_bits, magnitude_bits(c[k]));
+    words[k] = static_cast<std::uint64_t>(c[k]);
+  }
+  if (by != 1) offset = divisor == 1 ? -offset : offset / by;
+  const Fixed<2> reduced = fixed_detail::from_int128(offset);
+  words[3] = reduced.word[0];
+  words[4] = reduced.word[1];
+  return intern_words(words.data(), normal_bits, magnitude_bits(words.data() + 3, 2), flipped, source);
+}
+
+// n in two words, d in three. Only a divisor of 1, the common case, is dealt with here.
+PlaneTable::Interned PlaneTable::intern_short(const std::array<Fixed<2>, 3>& n, const Fixed<3>& d,
+                                              const PlaneSource& source) {
+  std::array<__int128, 3> c;
+  UInt128 divisor = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    c[k] = fixed_detail::to_int128(n[k]);
+    divisor = gcd_of(divisor, magnitude(c[k]));
+  }
+  if (divisor == 0) return {};
+  const bool flipped = leads_negative(c[0], c[1], c[2]);
+  if (divisor != 1) {
+    std::array<Integer, 3> long_normal;
+    for (std::size_t k = 0; k < 3; ++k) long_normal[k] = load_integer(n[k].word, 2);
+    return intern(long_normal, load_integer(d.word, 3), source);
+  }
+  std::uint32_t normal_bits = 0;
+  std::array<std::uint64_t, 9> words;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Fixed<2> x = flipped ? -n[k] : n[k];
+    std::copy(x.word, x.word + 2, words.data() + 2 * k);
+    normal_bits = std::max(normal_bits, magnitude_bits(x.word, 2));
+  }
+  const std::uint32_t stride = words_for(normal_bits);
+  for (std::uint32_t k = 1; stride == 1 && k < 3; ++k) words[k] = words[std::size_t{2} * k];
+  const Fixed<3> offset = flipped ? -d : d;
+  std::copy(offset.word, offset.word + 3, words.data() + std::size_t{3} * stride);
+  return intern_words(words.data(), normal_bits, magnitude_bits(offset.word, 3), flipped, source);
 }
 
 PlaneTable::Interned PlaneTable::intern(const std::array<Integer, 3>& n, const Integer& d, const PlaneSource& source) {
@@ -67,20 +179,19 @@ PlaneTable::Interned PlaneTable::intern_words(const std::uint64_t* words, std::u
   const std::uint32_t stride = words_for(normal_bits), count = 3 * stride + words_for(offset_bits);
   std::uint64_t hash = mix(normal_bits, offset_bits);
   for (std::uint32_t i = 0; i < count; ++i) hash = mix(hash, words[i]);
-  if (2 * (hash_.size() + 1) > index_.size()) grow_index();
+  if (2 * (record_.size() + 1) > index_.size()) grow_index();
   const std::size_t mask = index_.size() - 1;
   std::size_t slot = hash & mask;
   for (; index_[slot] != none; slot = (slot + 1) & mask) {
     const PlaneId id = index_[slot];
     const Record& r = record_[id];
-    if (hash_[id] == hash && r.normal_bits == normal_bits && r.offset_bits == offset_bits &&
+    if (r.hash == hash && r.normal_bits == normal_bits && r.offset_bits == offset_bits &&
         std::equal(words, words + count, words_.data() + r.first))
       return {id, flipped};
   }
   const PlaneId id = size();
   index_[slot] = id;
-  hash_.push_back(hash);
-  record_.push_back({words_.size(), normal_bits, offset_bits});
+  record_.push_back({hash, words_.size(), normal_bits, offset_bits});
   words_.insert(words_.end(), words, words + count);
   source_.push_back(source);
   // All four numbers times 2^-normal_bits; the offset's unit is the grid's, n.u = d 2^-unit_bits.
@@ -103,8 +214,8 @@ PlaneTable::Interned PlaneTable::intern_words(const std::uint64_t* words, std::u
 void PlaneTable::grow_index() {
   index_.assign(std::max<std::size_t>(64, 2 * index_.size()), none);
   const std::size_t mask = index_.size() - 1;
-  for (PlaneId id = 0; id < hash_.size(); ++id) {
-    std::size_t slot = hash_[id] & mask;
+  for (PlaneId id = 0; id < record_.size(); ++id) {
+    std::size_t slot = record_[id].hash & mask;
     while (index_[slot] != none) slot = (slot + 1) & mask;
     index_[slot] = id;
   }

@@ -1,6 +1,7 @@
 // Interned canonical planes: coplanar polygons share one id.
 #pragma once
 
+#include "exact/fixed.hpp"
 #include "exact/limbs.hpp"
 #include "exact/point_table.hpp"
 
@@ -65,11 +66,14 @@ class PlaneTable {
  private:
   // Where a plane's words stand: words_for(normal_bits) for each component of n, then words_for(offset_bits) for d.
   struct Record {
+    std::uint64_t hash;
     std::uint64_t first;
     std::uint32_t normal_bits;
     std::uint32_t offset_bits;
   };
   Interned intern(const std::array<Integer, 3>& n, const Integer& d, const PlaneSource& source);
+  Interned intern_short(const std::array<Fixed<1>, 3>& n, const Fixed<2>& d, const PlaneSource& source);
+  Interned intern_short(const std::array<Fixed<2>, 3>& n, const Fixed<3>& d, const PlaneSource& source);
   Interned intern_words(const std::uint64_t* words, std::uint32_t normal_bits, std::uint32_t offset_bits, bool flipped,
                         const PlaneSource& source);
   void grow_index();
@@ -80,7 +84,6 @@ class PlaneTable {
   std::vector<ApproxPlane> approx_;
   std::vector<PlaneSource> source_;
   std::vector<std::int8_t> axis_;
-  std::vector<std::uint64_t> hash_;
   std::vector<PlaneId> index_;  // open addressing by hash; a power of two slots
 };
 

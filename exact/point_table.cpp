@@ -1,23 +1,35 @@
 #include "exact/point_table.hpp"
 
-#include "exact/rounding.hpp"
-
 #include <algorithm>
+#include <stdexcept>
 
 namespace sightline {
 
 PointTable::PointTable(const Grid& grid, std::span<const glm::dvec3> world)
     : grid_(grid), stride_(words_for(static_cast<std::uint32_t>(grid.bits()))) {
-  const auto count = static_cast<std::uint32_t>(world.size());
-  words_.resize(std::size_t{3} * stride_ * count);
-  approx_.resize(count);
-  for (std::uint32_t p = 0; p < count; ++p) {
-    const GridPoint g = grid.point(world[p]);
-    for (int k = 0; k < 3; ++k) {
-      std::uint64_t* const out = words_.data() + (std::size_t{3} * p + static_cast<std::size_t>(k)) * stride_;
-      store_words(g.c[static_cast<std::size_t>(k)], out, stride_);
-      approx_[p][k] = words_to_double(out, stride_, -grid.unit_bits());
+  const auto bits = static_cast<std::uint32_t>(grid.bits());
+  words_.resize(std::size_t{3} * stride_ * world.size());
+  approx_.reserve(world.size());
+  std::uint64_t* out = words_.data();
+  for (const glm::dvec3& p : world) {
+    std::uint32_t longest = 0;
+    if (std::array<std::int64_t, 3> c; grid.short_point(p, c)) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        longest = std::max(longest, magnitude_bits(c[k]));
+        out[k * stride_] = static_cast<std::uint64_t>(c[k]);
+        std::fill(out + k * stride_ + 1, out + (k + 1) * stride_, c[k] < 0 ? ~std::uint64_t{0} : 0);
+      }
+    } else {
+      const GridPoint g = grid.point(p);
+      if (g.shift > 0) throw std::invalid_argument("a point is finer than the grid");
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        longest = std::max(longest, magnitude_bits(g.c[k]));
+        store_words(g.c[k], out + k * stride_, stride_);
+      }
     }
+    if (longest > bits) throw std::invalid_argument("a point is too far away for the grid");
+    glm::dvec3& approx = approx_.emplace_back();
+    for (int k = 0; k < 3; ++k, out += stride_) approx[k] = words_to_double(out, stride_, -grid.unit_bits());
   }
 }
 

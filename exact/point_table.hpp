@@ -13,6 +13,8 @@ namespace sightline {
 class PointTable {
  public:
   PointTable() = default;
+  /// Throws std::invalid_argument if a point is none of those that the grid was made of or could have been: finer than
+  /// the grid, or longer than its bits().
   PointTable(const Grid& grid, std::span<const glm::dvec3> world);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(approx_.size()); }

@@ -24,14 +24,9 @@ Sign filter_point_side(const ApproxPlane& q, const glm::dvec3& p) {
 Sign exact_point_side(const PlaneRow& q, const std::uint64_t* point, std::uint32_t stride, int point_bits) {
   return decide(std::max(q.normal_bits + point_bits + 2, q.offset_bits) + 1, [&](auto width) -> Sign {
     constexpr int W = width();
-    const auto value = [&]<int N, int M>(std::integral_constant<int, N>, std::integral_constant<int, M>) {
-      const Wide3<M> p = load3<M>(point, stride);
-      return sign_of<W>(Wide<W>(dot<W, N, M>(q.normal<N>(), p) - q.offset<W>()));
-    };
-    using One = std::integral_constant<int, 1>;
-    if constexpr (W > 1 && W <= 4)
-      if (q.normal_bits < 64 && point_bits < 64) return value(One{}, One{});
-    return value(width, width);
+    return narrowed<W>(q.normal_bits, point_bits, [&]<int N, int M>(Words<N>, Words<M>) -> Sign {
+      return sign_of<W>(Wide<W>(dot<W, N, M>(q.normal<N>(), load3<M>(point, stride)) - q.offset<W>()));
+    });
   });
 }
 
@@ -85,8 +80,10 @@ bool parallel(const PlaneTable& planes, PlaneId a, PlaneId b) {
   const PlaneRow ra(planes, a), rb(planes, b);
   return decide(ra.normal_bits + rb.normal_bits + 1, [&](auto width) -> Sign {
            constexpr int W = width();
-           const Wide3<W> n = cross<W, W>(ra.normal<W>(), rb.normal<W>());
-           return sign_of<W>(n[0]) != 0 || sign_of<W>(n[1]) != 0 || sign_of<W>(n[2]) != 0;
+           return narrowed<W>(ra.normal_bits, rb.normal_bits, [&]<int N, int M>(Words<N>, Words<M>) -> Sign {
+             const Wide3<W> n = cross<W, N>(ra.normal<N>(), rb.normal<N>());
+             return sign_of<W>(n[0]) != 0 || sign_of<W>(n[1]) != 0 || sign_of<W>(n[2]) != 0;
+           });
          }) == 0;
 }
 
@@ -101,15 +98,12 @@ Sign orientation(const PointTable& points, PointId a, PointId b, PointId c, int 
   // Differences B+1, their products 2B+2, the difference of two 2B+3.
   return decide(2 * points.bits() + 3, [&](auto width) -> Sign {
     constexpr int W = width();
-    const auto value = [&]<int N>(std::integral_constant<int, N>) {
+    return narrowed<W>(points.bits() + 1, points.bits() + 1, [&]<int N, int M>(Words<N>, Words<M>) -> Sign {
       const auto difference = [&](const std::uint64_t* to, std::uint32_t k) {
         return Wide<N>(load<N>(to + k * stride, stride) - load<N>(p + k * stride, stride));
       };
       return sign_of<W>(minor2<W, N, N>(difference(q, k1), difference(q, k2), difference(r, k1), difference(r, k2)));
-    };
-    if constexpr (W == 2)
-      if (points.bits() < 62) return value(std::integral_constant<int, 1>{});
-    return value(width);
+    });
   });
 }
 

@@ -8,14 +8,6 @@
 
 namespace sightline {
 
-Sign exact_normals_orientation(const PlaneRow& a, const PlaneRow& b, const PlaneRow& c) {
-  // Six terms, each below 2^(sum of bits).
-  return decide(a.normal_bits + b.normal_bits + c.normal_bits + 3, [&](auto width) -> Sign {
-    constexpr int W = width();
-    return sign_of<W>(det3<W, W, W>(a.normal<W>(), b.normal<W>(), c.normal<W>()));
-  });
-}
-
 namespace {
 
 constexpr double u = 0x1p-53;  // unit roundoff
@@ -31,31 +23,64 @@ Sign filter_vertex_side(const ApproxPlane& q, const ImplicitVertex& v) {
   return uncertain;
 }
 
-// det of the rows (n_i, d_i), by Laplace along columns x, y against z, d. A term takes d from one row and n from three:
-// at most sum of the normals' bits + max over rows of (offset's - normal's); 24 terms: 5 more.
-Sign exact_det4(const std::array<PlaneRow, 4>& row) {
-  int bits = 0, longer = -(1 << 30);
+// The vertex of three planes from exact determinants: x_k = X_k / D, each of both rounded once, so x_k within
+// ((1 + u)^2 / (1 - u) - 1) |x_k| < 4u |x_k|. X_k has six terms of two normals and an offset: bits as given.
+bool fixed_vertex(const std::array<PlaneRow, 3>& row, int unit_bits, ImplicitVertex& v) {
+  int bits = 3, longer = 0, longest = 0;
   for (const PlaneRow& r : row) {
     bits += r.normal_bits;
     longer = std::max(longer, r.offset_bits - r.normal_bits);
+    longest = std::max(longest, r.normal_bits);
   }
-  return decide(bits + std::max(longer, 0) + 5, [&](auto width) -> Sign {
+  return at_width(bits + longer, [&](auto width) -> bool {
     constexpr int W = width();
-    std::array<Wide3<W>, 4> n;
-    std::array<Wide<W>, 4> d;
-    for (std::size_t i = 0; i < 4; ++i) {
-      n[i] = row[i].template normal<W>();
-      d[i] = row[i].template offset<W>();
+    if constexpr (W == 0) {
+      return false;
+    } else {
+      return narrowed_to_thirds<W>(longest, [&]<int N>(Words<N>) -> bool {
+        constexpr int M = product_words<W, N, N>;
+        const Wide3<N> a = row[0].template normal<N>(), b = row[1].template normal<N>(),
+                       c = row[2].template normal<N>();
+        const Wide3<M> bc = cross<M, N>(b, c), ca = cross<M, N>(c, a), ab = cross<M, N>(a, b);
+        const Wide<W> det = dot<W, M, N>(bc, a);
+        if (sign(det) == 0) throw std::invalid_argument("the planes do not meet in one point");
+        const double d = words_to_double(det.word, W, 0);  // below 2^1023
+        const Wide<W> da = row[0].template offset<W>(), db = row[1].template offset<W>(),
+                      dc = row[2].template offset<W>();
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Wide<W> x = times<W, M, W>(bc[k], da) + times<W, M, W>(ca[k], db) + times<W, M, W>(ab[k], dc);
+          v.approx[static_cast<int>(k)] = std::ldexp(words_to_double(x.word, W, 0) / d, -unit_bits);
+        }
+        return true;
+      });
     }
-    const auto xy = [&](std::size_t i, std::size_t j) { return minor2<W, W, W>(n[i][0], n[i][1], n[j][0], n[j][1]); };
-    const auto zd = [&](std::size_t i, std::size_t j) { return minor2<W, W, W>(n[i][2], d[i], n[j][2], d[j]); };
-    const auto term = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
-      return times<W, W, W>(xy(i, j), zd(k, l));
-    };
-    const Wide<W> plus = term(0, 1, 2, 3) + term(0, 3, 1, 2) + term(1, 2, 0, 3) + term(2, 3, 0, 1);
-    const Wide<W> minus = term(0, 2, 1, 3) + term(1, 3, 0, 2);
-    return sign_of<W>(Wide<W>(plus - minus));
   });
+}
+
+struct Oversized {
+  Integer determinant;
+  Wide3<0> numerator;
+};
+Oversized oversized_vertex(const std::array<PlaneRow, 3>& row) {
+  const Wide3<0> a = row[0].normal<0>(), b = row[1].normal<0>(), c = row[2].normal<0>();
+  const Wide3<0> bc = cross<0, 0>(b, c), ca = cross<0, 0>(c, a), ab = cross<0, 0>(a, b);
+  Oversized r{dot<0, 0, 0>(a, bc), {}};
+  if (r.determinant == 0) throw std::invalid_argument("the planes do not meet in one point");
+  for (std::size_t k = 0; k < 3; ++k)
+    r.numerator[k] = bc[k] * row[0].offset<0>() + ca[k] * row[1].offset<0>() + ab[k] * row[2].offset<0>();
+  return r;
+}
+
+// Three planes along three axes: the coordinates are the offsets.
+bool axis_vertex(const PlaneTable& planes, ImplicitVertex& v) {
+  bool seen[3] = {false, false, false};
+  for (const PlaneId p : v.plane) {
+    const int k = planes.axis(p);
+    if (k < 0 || seen[k]) return false;
+    seen[k] = true;
+    v.approx[k] = 2 * planes.approx(p).d;  // n = 1 is scaled to 1/2; rounded once
+  }
+  return true;
 }
 
 }  // namespace
@@ -71,25 +96,24 @@ Sign vertex_side(const PlaneTable& planes, const ImplicitVertex& v, PlaneId q) {
     return s;
   }
   // With the solution v of the first three rows taken from the last column, det4 = (d_q - n_q.v) det3.
-  const Sign numerator = exact_det4(
+  const Sign numerator = exact_rows_orientation(
       {PlaneRow(planes, v.plane[0]), PlaneRow(planes, v.plane[1]), PlaneRow(planes, v.plane[2]), PlaneRow(planes, q)});
   return numerator == 0 ? 0 : -numerator * planes_orientation(planes, v.plane[0], v.plane[1], v.plane[2]);
 }
 
 ImplicitVertex make_vertex(const PlaneTable& planes, PlaneId a, PlaneId b, PlaneId c) {
-  const PlaneRow ra(planes, a), rb(planes, b), rc(planes, c);
-  const Wide3<0> na = ra.normal<0>(), nb = rb.normal<0>(), nc = rc.normal<0>();
-  const Integer da = ra.offset<0>(), db = rb.offset<0>(), dc = rc.offset<0>();
-  const Wide3<0> bc = cross<0, 0>(nb, nc), ca = cross<0, 0>(nc, na), ab = cross<0, 0>(na, nb);
-  const Integer det = dot<0, 0, 0>(na, bc);
-  if (det == 0) throw std::invalid_argument("the planes do not meet in one point");
   ImplicitVertex v{{a, b, c}, 0, {}};
-  const Integer scaled = shifted(det, planes.points().grid().unit_bits());
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double x = nearest_double(Integer(bc[k] * da + ca[k] * db + ab[k] * dc), scaled);
-    v.approx[static_cast<int>(k)] = x;
-    v.error = std::max(v.error, u * std::abs(x));
+  const int unit_bits = planes.points().grid().unit_bits();
+  if (!axis_vertex(planes, v)) {
+    const std::array<PlaneRow, 3> row{PlaneRow(planes, a), PlaneRow(planes, b), PlaneRow(planes, c)};
+    if (!fixed_vertex(row, unit_bits, v)) {
+      const Oversized exact = oversized_vertex(row);
+      const Integer scaled = shifted(exact.determinant, unit_bits);
+      for (std::size_t k = 0; k < 3; ++k) v.approx[static_cast<int>(k)] = nearest_double(exact.numerator[k], scaled);
+    }
   }
+  // 4u |x|; and what the ends of the range of doubles take away.
+  for (int k = 0; k < 3; ++k) v.error = std::max(v.error, 4 * u * std::abs(v.approx[k]) + 0x1p-1070);
   return v;
 }
 

@@ -109,6 +109,31 @@ inline Sign decide(int bits, F&& f) {
   });
 }
 
+template <int W>
+using Words = std::integral_constant<int, W>;
+
+/// Narrow operands make cheap products. Calls f(Words<N>, Words<M>) with words that hold operands of these bit
+/// lengths, for a result of W words: one word each, else half of W each (rounded up), else W each.
+template <int W, class F>
+inline auto narrowed(int first_bits, int second_bits, F&& f) {
+  if constexpr (W > 1) {
+    if (first_bits < 64 && second_bits < 64) return f(Words<1>{}, Words<1>{});
+    constexpr int half = (W + 1) / 2;
+    if constexpr (half > 1 && half < W)
+      if (first_bits < 64 * half && second_bits < 64 * half) return f(Words<half>{}, Words<half>{});
+  }
+  return f(Words<W>{}, Words<W>{});
+}
+
+/// The same for products of three operands of one length: one third of W words each, else W.
+template <int W, class F>
+inline auto narrowed_to_thirds(int bits, F&& f) {
+  constexpr int third = (W + 2) / 3;
+  if constexpr (W > 1)
+    if (bits < 64 * third) return f(Words<third>{});
+  return f(Words<W>{});
+}
+
 /// a0 b1 - a1 b0 in R words.
 template <int R, int N, int M>
 inline Wide<R> minor2(const Wide<N>& a0, const Wide<M>& a1, const Wide<N>& b0, const Wide<M>& b1) {

@@ -1,0 +1,208 @@
+// The exact stages of SightlineTable: normals of new lines, and signs where the filters do not tell.
+#include "exact/plane_row.hpp"
+#include "exact/sightline_table.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace sightline {
+namespace {
+
+constexpr double u = 0x1p-53;  // unit roundoff
+
+// point - eye on the eye's grid; N words hold it.
+template <int N, class Eye>
+Wide3<N> from_eye(const PointTable& points, PointId p, const Eye& eye) {
+  Wide3<N> r = load3<N>(points.words(p), points.stride());
+  const Wide3<N> e = load3<N>(eye.words.data(), eye.stride);
+  for (std::size_t k = 0; k < 3; ++k) r[k] = Wide<N>(scaled_up<N>(r[k], eye.shift) - e[k]);
+  return r;
+}
+
+// (b - eye) where it differs from (a - eye) in one component only: their product is a multiple of (a - eye) x e_k, and
+// that is shorter by half. All edges along an axis come here.
+template <int W, int N>
+bool axis_cross(const Wide3<N>& a, const Wide3<N>& b, Wide3<W>& n) {
+  std::array<Sign, 3> s;
+  for (std::size_t k = 0; k < 3; ++k) s[k] = sign_of<N>(Wide<N>(b[k] - a[k]));
+  if (std::abs(s[0]) + std::abs(s[1]) + std::abs(s[2]) != 1) return false;
+  const std::size_t k = s[0] != 0 ? 0 : s[1] != 0 ? 1 : 2, k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+  n = {};
+  n[k1] = resized<W, N>(s[k] > 0 ? a[k2] : Wide<N>(-a[k2]));
+  n[k2] = resized<W, N>(s[k] > 0 ? Wide<N>(-a[k1]) : a[k1]);
+  return true;
+}
+
+// Hands the words of a normal to `take(words, stride)`; on the stack where the width is fixed.
+template <int W, class Take>
+SightlineRef with_words(const Wide3<W>& n, std::vector<std::uint64_t>& scratch, Take&& take) {
+  if constexpr (W == 0) {
+    std::uint32_t bits = 0;
+    for (const Integer& c : n) bits = std::max(bits, magnitude_bits(c));
+    const std::uint32_t stride = words_for(bits);
+    scratch.resize(std::size_t{3} * stride);
+    for (std::uint32_t k = 0; k < 3; ++k) store_words(n[k], scratch.data() + k * stride, stride);
+    return take(scratch.data(), stride);
+  } else {
+    std::array<std::uint64_t, 3 * W> words;
+    for (std::size_t k = 0; k < 3; ++k) std::copy(n[k].word, n[k].word + W, words.data() + k * W);
+    return take(words.data(), static_cast<std::uint32_t>(W));
+  }
+}
+
+// P(eye) = n.eye - d 2^shift has at most this many bits: three products, and the offset.
+template <class Eye>
+int value_bits(const PlaneRow& row, const Eye& eye) {
+  return std::max(row.normal_bits + eye.bits + 2, row.offset_bits + eye.shift) + 1;
+}
+
+template <int R, int N, class Eye>
+Wide<R> value_at(const PlaneRow& row, const Eye& eye) {
+  const auto product = narrowed<R>(row.normal_bits, eye.bits, [&]<int A, int B>(Words<A>, Words<B>) {
+    return dot<R, A, B>(row.normal<A>(), load3<B>(eye.words.data(), eye.stride));
+  });
+  return Wide<R>(product - scaled_up<R>(row.offset<R>(), eye.shift));
+}
+
+}  // namespace
+
+SightlineRef SightlineTable::make_of_points(PointId a, PointId b) {
+  const auto take = [&](std::uint64_t* words, std::uint32_t stride) { return intern(words, stride); };
+  const int bits = exact_eye_.difference_bits;
+  // The difference of two products of differences.
+  return at_width(2 * bits + 1, [&](auto width) {
+    constexpr int W = width();
+    return narrowed<W>(bits, bits, [&]<int N, int M>(Words<N>, Words<M>) {
+      const PointTable& points = planes_->points();
+      const Wide3<N> p = from_eye<N>(points, a, exact_eye_), q = from_eye<N>(points, b, exact_eye_);
+      Wide3<W> n;
+      if (!axis_cross<W, N>(p, q, n)) n = cross<W, N>(p, q);
+      return with_words<W>(n, scratch_, take);
+    });
+  });
+}
+
+SightlineRef SightlineTable::make_of_planes(PlaneId p, PlaneId q) {
+  const auto take = [&](std::uint64_t* words, std::uint32_t stride) { return intern(words, stride); };
+  const PlaneRow rp(*planes_, p), rq(*planes_, q);
+  const int bits_p = value_bits(rp, exact_eye_), bits_q = value_bits(rq, exact_eye_);
+  const int normal_bits = std::max(rp.normal_bits, rq.normal_bits), bits = std::max(bits_p, bits_q);
+  return at_width(std::max(bits_p + rq.normal_bits, bits_q + rp.normal_bits) + 1, [&](auto width) {
+    constexpr int W = width();
+    const auto make = [&]<int N, int M>(Words<N>, Words<M>) {
+      const Wide<M> at_p = value_at<M, N>(rp, exact_eye_), at_q = value_at<M, N>(rq, exact_eye_);
+      const Wide3<N> np = rp.normal<N>(), nq = rq.normal<N>();
+      Wide3<W> n;
+      for (std::size_t k = 0; k < 3; ++k) n[k] = Wide<W>(times<W, M, N>(at_p, nq[k]) - times<W, M, N>(at_q, np[k]));
+      return with_words<W>(n, scratch_, take);
+    };
+    // A normal of 2B+2 bits and a value of 3B+5: two and three fifths, rounded up.
+    constexpr int N = W == 0 ? 0 : (2 * W + 4) / 5, M = W == 0 ? 0 : (3 * W + 4) / 5;
+    if constexpr (W > 1)
+      if (normal_bits < 64 * N && bits < 64 * M) return make(Words<N>{}, Words<M>{});
+    return make(Words<W>{}, Words<W>{});
+  });
+}
+
+SightlineRef SightlineTable::of_plane(PlaneId p) {
+  const PlaneRow row(*planes_, p);
+  scratch_.assign(row.words, row.words + std::size_t{3} * row.normal_words);
+  return intern(scratch_.data(), row.normal_words);
+}
+
+SightlineRef SightlineTable::of_normal(const std::array<Integer, 3>& n) {
+  return with_words<0>(n, scratch_, [&](std::uint64_t* words, std::uint32_t stride) { return intern(words, stride); });
+}
+
+SightlineRef SightlineTable::intern(std::uint64_t* words, std::uint32_t stride) {
+  // The common factors of two go: they are many where the eye is finer than the grid. Never all words at a time.
+  const std::uint64_t low = words[0] | words[stride] | words[2 * stride];
+  if (const int twos = std::countr_zero(low); twos > 0 && twos < 64)
+    for (std::uint32_t i = 0; i < 3 * stride; ++i) {
+      const bool top = i % stride == stride - 1;
+      words[i] = top ? static_cast<std::uint64_t>(static_cast<std::int64_t>(words[i]) >> twos)
+                     : (words[i] >> twos) | (words[i + 1] << (64 - twos));
+    }
+  std::uint32_t bits = 0;
+  for (std::uint32_t k = 0; k < 3; ++k) bits = std::max(bits, magnitude_bits(words + k * stride, stride));
+  if (bits == 0) return {};
+  const std::uint32_t tight = words_for(bits);
+  for (std::uint32_t k = 1; tight != stride && k < 3; ++k)
+    std::copy(words + k * stride, words + k * stride + tight, words + k * tight);
+  glm::dvec3 approx;
+  for (std::uint32_t k = 0; k < 3; ++k)
+    approx[static_cast<int>(k)] = words_to_double(words + k * tight, tight, -static_cast<int>(bits));
+  return find_or_add(words, bits, approx);
+}
+
+Sign SightlineTable::exact_eye_side(PlaneId p) const {
+  const PlaneRow row(*planes_, p);
+  return decide(value_bits(row, exact_eye_), [&](auto width) -> Sign {
+    constexpr int W = width();
+    return sign_of<W>(value_at<W, W>(row, exact_eye_));
+  });
+}
+
+Sign SightlineTable::exact_order(SightlineId a, SightlineId b, SightlineId c) const {
+  const Line *x = &line_[a], *y = &line_[b], *z = &line_[c];
+  // In turn until the longest is last, which leaves the determinant as it is.
+  while (z->bits < x->bits || z->bits < y->bits) {
+    const Line* const first = x;
+    x = y;
+    y = z;
+    z = first;
+  }
+  const int shorter = static_cast<int>(std::max(x->bits, y->bits)), longest = static_cast<int>(z->bits);
+  const auto at = [&]<int N>(Words<N>, const Line* l) {
+    return load3<N>(words_.data() + l->first, words_for(l->bits));
+  };
+  // Six terms of three components.
+  return decide(static_cast<int>(x->bits + y->bits + z->bits) + 3, [&](auto width) -> Sign {
+    constexpr int W = width();
+    const auto value = [&]<int N, int M>(Words<N> n, Words<M> m) -> Sign {
+      return sign_of<W>(det3<W, N, M>(at(n, x), at(n, y), at(m, z)));
+    };
+    // Three lines of one kind have a third of the result each; two of points and one of planes 2:2:5.
+    constexpr int third = (W + 2) / 3, quarter = (W + 3) / 4, rest = W - quarter;
+    if constexpr (W > 1) {
+      if (longest < 64 * third) return value(Words<third>{}, Words<third>{});
+      if (shorter < 64 * quarter && longest < 64 * rest) return value(Words<quarter>{}, Words<rest>{});
+    }
+    return value(Words<W>{}, Words<W>{});
+  });
+}
+
+Sign SightlineTable::side(SightlineRef a, PointId p) {
+  // The difference point - eye: |.| <= E + 1, within u (2E + 2) with its own rounding; with the normal's u:
+  // 3 (3E + 3) u; products 3 (E + 1) u, sums 5 (E + 1) u: 17 u (E + 1).
+  const Eye& e = exact_eye_;
+  const glm::dvec3 &n = approx_[a.id], &at = planes_->points().approx(p);
+  const double value = n.x * (at.x - e.approx.x) + n.y * (at.y - e.approx.y) + n.z * (at.z - e.approx.z);
+  const double bound = u * (24 * e.reach + 24);
+  if (std::abs(value) > bound) {
+    ++tally().filter;
+    return value > 0 ? a.sign : -a.sign;
+  }
+  const Line& line = line_[a.id];
+  const auto bits = static_cast<int>(line.bits);
+  return a.sign * decide(bits + e.difference_bits + 2, [&](auto width) -> Sign {
+           constexpr int W = width();
+           return narrowed<W>(bits, e.difference_bits, [&]<int N, int M>(Words<N>, Words<M>) -> Sign {
+             const Wide3<N> normal = load3<N>(words_.data() + line.first, words_for(line.bits));
+             return sign_of<W>(dot<W, N, M>(normal, from_eye<M>(planes_->points(), p, e)));
+           });
+         });
+}
+
+bool SightlineTable::is_eye(PointId p) const {
+  // Both approximations are the same function of the exact value: if they differ, so do the points.
+  if (planes_->points().approx(p) != exact_eye_.approx) return false;
+  return at_width(exact_eye_.difference_bits, [&](auto width) {
+    constexpr int W = width();
+    const Wide3<W> d = from_eye<W>(planes_->points(), p, exact_eye_);
+    return sign_of<W>(d[0]) == 0 && sign_of<W>(d[1]) == 0 && sign_of<W>(d[2]) == 0;
+  });
+}
+
+}  // namespace sightline
