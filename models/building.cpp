@@ -112,7 +112,8 @@ std::optional<Model> build(const std::string& name, const Layout& layout, int po
   RandomNumbers random(seed);
   furnish(mesh, storeys, furnishable(floor, used), polygons - structure, random);
   add_roof(mesh, floor.plan, layout.levels, polygons - static_cast<int>(mesh.size()));
-  return Model{mesh.take(name), walk(way, walk_cameras, {.corner = 1.25, .yaw = 0.35, .yaw_waves = 11})};
+  return Model{mesh.take(name),
+               walk(way, walk_cameras, {.corner = 1.25, .behind = 0.5, .ahead = 3.5, .yaw = 0.2, .yaw_waves = 7})};
 }
 
 /// About how many polygons the structure has: measured, to a few in a hundred.
@@ -120,11 +121,11 @@ double estimated_structure(const Layout& layout) {
   const double modules = layout.floor.modules_x * layout.floor.modules_y;
   const double cells_of_outer_wall = 2.0 * (8 * layout.floor.modules_x + 7 * layout.floor.modules_y);
   const double windows = layout.floor.window_spacing == 0 ? 0 : cells_of_outer_wall / layout.floor.window_spacing;
-  return layout.levels * (124 * modules + 10 * windows);
+  return layout.levels * (183 * modules + 10 * windows);
 }
 
-/// The layout whose structure is a bit more than half of the polygons and whose proportions are good: about five levels
-/// on a floor of two by two modules, and so on in proportion. `levels`: as many, 0 for any number.
+/// The layout whose structure is about a third of the polygons and whose proportions are good: about five levels
+/// on a floor of two modules, and so on in proportion. `levels`: as many, 0 for any number.
 Layout choose_layout(int polygons, int levels) {
   if (polygons < 200) return {{1, 1, 0, (polygons - 9) / 10}, 1};
   Layout best;
@@ -137,7 +138,7 @@ Layout choose_layout(int polygons, int levels) {
           const double part = estimated_structure(layout) / polygons;
           if (part > 0.9) continue;
           const double tall = levels ? 0 : std::abs(level - 2.5 * x) / level;
-          const double cost = std::abs(part - 0.56) + 0.1 * tall + (spacing == 1 ? 0 : 0.2);
+          const double cost = std::abs(part - 0.36) + 0.1 * tall + (spacing == 2 ? 0 : 0.2);
           if (cost < best_cost) {
             best_cost = cost;
             best = layout;

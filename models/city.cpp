@@ -115,8 +115,8 @@ Model make_city(std::uint32_t polygons, std::uint64_t seed) {
     block(mesh, random, block_corner(static_cast<int>(b % columns), static_cast<int>(b / columns)),
           share(b + 1) - share(b));
   }
-  return {mesh.take("city"),
-          walk(route(columns, rows), walk_cameras, {.corner = 6, .yaw = 0.25, .yaw_waves = 7, .pitch = 0.12})};
+  return {mesh.take("city"), walk(route(columns, rows), walk_cameras,
+                                  {.corner = 6, .behind = 6, .ahead = 6, .yaw = 0.25, .yaw_waves = 7, .pitch = 0.12})};
 }
 
 }  // namespace sightline::models

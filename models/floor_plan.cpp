@@ -26,6 +26,8 @@ constexpr int corridor_in = 4, corridor_out = 2;  // rows
 constexpr std::array<Cell, 7> doors_below{Cell(2, 5), Cell(4, 5), Cell(6, 5), Cell(1, 4),
                                           Cell(5, 3), Cell(2, 2), Cell(6, 2)};
 constexpr Cell stair_door(4, 2), through_door(3, 0);
+/// Windows between rooms and corridor, below these cells.
+constexpr std::array<Cell, 6> panes_below{Cell(0, 5), Cell(1, 5), Cell(3, 4), Cell(7, 3), Cell(5, 2), Cell(7, 2)};
 
 /// Where a module's cells are in the plan.
 struct Module {
@@ -45,6 +47,7 @@ void add_module(Plan& plan, const Module& module, int first_room, bool last_colu
   const glm::ivec2 below(0, 1);
   for (const Cell c : doors_below) plan.opening(module.cell(c), below) = Opening::door;
   plan.opening(module.cell(stair_door), below) = Opening::door;
+  for (const Cell c : panes_below) plan.opening(module.cell(c), below) = Opening::window;
   if (module.j > 0 && !has_stairs) plan.opening(module.cell(through_door), below) = Opening::door;
   if (!last_column) {
     const int row = module.j * module_y + (module.mirrored() ? corridor_in : corridor_out);

@@ -9,8 +9,8 @@ namespace {
 constexpr int m = units_per_metre;
 
 /// By number of polygons. Nothing has an underside that touches the floor, nor a side that touches a wall.
-enum Kind : int { nothing = 0, cabinet = 4, chest = 5, chair = 10, desk = 14, table = 22, dining = 42 };
-constexpr std::array<Kind, 7> kinds{nothing, cabinet, chest, chair, desk, table, dining};
+enum Kind : int { nothing = 0, cabinet = 4, chest = 5, chair = 10, desk = 14, table = 22, bookcase = 30, dining = 42 };
+constexpr std::array<Kind, 8> kinds{nothing, cabinet, chest, chair, desk, table, bookcase, dining};
 
 /// A piece drawn around the middle of a cell, turned by quarter turns.
 struct Place {
@@ -21,16 +21,29 @@ struct Place {
     for (int k = 0; k < turns; ++k) p = {-p.y, p.x, p.z};
     return middle + p;
   }
-  /// A box given about the middle; its sides are named before the turn.
+  /// Boxes given about the middle; their sides are named before the turn.
   void box(Mesh& mesh, const Point& lo, const Point& hi, unsigned sides) const {
+    const auto [a, b] = corners(lo, hi);
+    mesh.box(a, b, turned(sides));
+  }
+  void hollow(Mesh& mesh, const Point& lo, const Point& hi, unsigned sides) const {
+    const auto [a, b] = corners(lo, hi);
+    mesh.hollow(a, b, turned(sides));
+  }
+
+ private:
+  unsigned turned(unsigned sides) const {
     static constexpr std::array<unsigned, 4> ring{left, front, right, back};  // a turn takes each to the next
     unsigned after = sides & (bottom | top);
     for (std::size_t k = 0; k < 4; ++k) {
       if (sides & ring[k]) after |= ring[(k + static_cast<std::size_t>(turns)) % 4];
     }
+    return after;
+  }
+  std::array<Point, 2> corners(const Point& lo, const Point& hi) const {
     const Point a = turned(lo), b = turned(hi);
-    mesh.box({std::min(a.x, b.x), std::min(a.y, b.y), lo.z + middle.z},
-             {std::max(a.x, b.x), std::max(a.y, b.y), hi.z + middle.z}, after);
+    return {Point(std::min(a.x, b.x), std::min(a.y, b.y), lo.z + middle.z),
+            Point(std::max(a.x, b.x), std::max(a.y, b.y), hi.z + middle.z)};
   }
 };
 
@@ -44,6 +57,21 @@ void add_table(Mesh& mesh, const Place& at, int half_x, int half_y) {
   at.box(mesh, {-half_x, -half_y, 11}, {half_x, half_y, 12}, all);
   for (const int x : {-half_x, half_x - 1}) {
     for (const int y : {-half_y, half_y - 1}) at.box(mesh, {x, y, 0}, {x + 1, y + 1, 11}, around);
+  }
+}
+
+/// Open to the front, its back on the wall: four compartments one on the other.
+void add_bookcase(Mesh& mesh, const Place& at, int half, int wall) {
+  constexpr int depth = 6, compartments = 4, board = 1, pitch = 9;
+  const int y = wall - depth, height = compartments * pitch + board;
+  at.box(mesh, {-half, y, 0}, {half, wall, height}, left | right | top);
+  at.box(mesh, {-half, y, 0}, {-half + board, y, height}, front);
+  at.box(mesh, {half - board, y, 0}, {half, y, height}, front);
+  for (int k = 0; k <= compartments; ++k) {
+    const int z = k * pitch;
+    at.box(mesh, {-half + board, y, z}, {half - board, y, z + board}, front);
+    if (k == compartments) break;
+    at.hollow(mesh, {-half + board, y, z + board}, {half - board, wall - board, z + pitch}, all & ~unsigned{front});
   }
 }
 
@@ -78,6 +106,9 @@ void add_piece(Mesh& mesh, const Place& at, Kind kind, bool window, RandomNumber
       add_table(mesh, at, half_x, random.between(6, 12));
       break;
     }
+    case bookcase:
+      add_bookcase(mesh, at, random.between(9, 16), wall);
+      break;
     case dining:
       add_table(mesh, at, 12, 6);
       add_chair(mesh, at, {0, -11, 0}, false);
@@ -86,20 +117,24 @@ void add_piece(Mesh& mesh, const Place& at, Kind kind, bool window, RandomNumber
   }
 }
 
-/// A kind whose number of polygons is `wanted` on average, now and then with a piece much larger than that.
-Kind draw(std::int64_t wanted, std::int64_t of, int left_over, bool at_wall, RandomNumbers& random) {
+enum class Wall { none, blind, with_window };
+
+/// A kind whose number of polygons is `budget / places` on average. Every other one is drawn from what is large, so
+/// that rooms differ.
+Kind draw(std::int64_t budget, std::int64_t places, Wall wall, RandomNumbers& random) {
   std::size_t less = 0;
-  while (less + 2 < kinds.size() && kinds[less + 1] * of <= wanted) ++less;
+  while (less + 2 < kinds.size() && kinds[less + 1] * places <= budget) ++less;
   std::size_t more = less + 1;
-  if (random.chance(1, 3)) {
+  if (random.chance(1, 2)) {
     less = 0;
-    more = std::max(more, static_cast<std::size_t>(random.between(2, 6)));
+    more =
+        std::max(more, wall == Wall::blind && random.chance(2, 3) ? 6 : static_cast<std::size_t>(random.between(2, 7)));
   }
-  const std::int64_t span = (kinds[more] - kinds[less]) * of, excess = wanted - kinds[less] * of;
-  // random < excess / span, in integers small enough
-  Kind kind = random.below(1 << 20) * span < (excess << 20) ? kinds[more] : kinds[less];
-  if (kind == cabinet && !at_wall) kind = chest;
-  return kind <= left_over ? kind : nothing;
+  const std::int64_t span = (kinds[more] - kinds[less]) * places, excess = budget - kinds[less] * places;
+  const Kind kind = random.below(1 << 20) * span < (excess << 20) ? kinds[more] : kinds[less];
+  if (kind > budget) return nothing;
+  if (kind == cabinet && wall == Wall::none) return budget < chest ? nothing : chest;
+  return kind == bookcase && wall != Wall::blind ? table : kind;
 }
 
 /// Where the back is after so many quarter turns.
@@ -120,15 +155,17 @@ void furnish(Mesh& mesh, const std::vector<Storey>& storeys, const std::vector<C
   std::int64_t places = static_cast<std::int64_t>(storeys.size() * cells.size());
   for (const Storey& storey : storeys) {
     for (const Cell c : cells) {
-      const int at_wall = turns_to_wall(storey.plan, c);
-      const Kind kind = draw(budget, places--, budget, at_wall >= 0, random);
+      const int turns = turns_to_wall(storey.plan, c);
+      const Wall wall = turns < 0 ? Wall::none
+                        : storey.plan.between(c, c + backs[static_cast<std::size_t>(turns)]) == Opening::none
+                            ? Wall::blind
+                            : Wall::with_window;
+      const Kind kind = draw(budget, places--, wall, random);
       if (kind == nothing) continue;
       mesh.object(storey.name() + " room " + std::to_string(storey.plan.room(c)) + " furniture");
-      const bool window =
-          at_wall >= 0 && storey.plan.between(c, c + backs[static_cast<std::size_t>(at_wall)]) != Opening::none;
       const Point middle(c.x * cell_size + cell_size / 2, c.y * cell_size + cell_size / 2, storey.floor());
       const std::uint32_t before = mesh.size();
-      add_piece(mesh, {middle, at_wall >= 0 ? at_wall : random.below(4)}, kind, window, random);
+      add_piece(mesh, {middle, turns >= 0 ? turns : random.below(4)}, kind, wall == Wall::with_window, random);
       budget -= static_cast<int>(mesh.size() - before);
     }
   }

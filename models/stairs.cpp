@@ -75,7 +75,7 @@ std::vector<Waypoint> way_upstairs(Cell corner, int level, double eye_height) {
   const int landing_y = (s.far_edge + s.y1) / 2, turn_y = (s.y0 + s.near_edge) / 2;
   return {at(right_x, landing_y, floor, 0.1), at(right_x, s.far_edge, floor, 0.3), at(right_x, s.near_edge, half, 0.2),
           at(right_x, turn_y, half, 0),       at(left_x, turn_y, half, 0),         at(left_x, s.near_edge, half, 0.3),
-          at(left_x, s.far_edge, above, 0.2), at(left_x, landing_y, above, 0)};
+          at(left_x, s.far_edge, above, 0.2), at(left_x, landing_y, above, 0),     at(right_x, landing_y, above, 0)};
 }
 
 }  // namespace sightline::models

@@ -10,7 +10,7 @@ namespace sightline::models {
 /// door is in the middle of the right cell's far (upper) side.
 void add_stairs(Mesh& mesh, Cell corner, int level);
 
-/// A way up those stairs, from the landing below to the landing above, at eye height over the floor.
+/// A way up those stairs, from the door below to the door above, at eye height over the floor.
 std::vector<Waypoint> way_upstairs(Cell corner, int level, double eye_height);
 
 }  // namespace sightline::models

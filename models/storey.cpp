@@ -5,7 +5,7 @@
 namespace sightline::models {
 namespace {
 
-constexpr int door_width = units_per_metre, door_height = 2 * units_per_metre + 2;
+constexpr int door_width = 5 * units_per_metre / 4, door_height = 2 * units_per_metre + 2;
 constexpr int window_width = 3 * units_per_metre / 2, window_head = 9 * units_per_metre / 4;
 
 /// An opening's extent along its wall, about `middle`, and in height.

@@ -79,7 +79,7 @@ std::vector<CameraLine> walk(std::span<const Waypoint> way, int count, const Wal
   for (int k = 0; k < count; ++k) {
     const double u = (k + 0.5) / count;
     const Waypoint here = path.at(u * total);
-    const glm::dvec3 tangent = path.at(u * total + style.corner).at - path.at(u * total - style.corner).at;
+    const glm::dvec3 tangent = path.at(u * total + style.ahead).at - path.at(u * total - style.behind).at;
     // A turn by twice the angle of tangent t, without sines.
     const double t = style.yaw * wave(style.yaw_waves * u);
     const double c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);

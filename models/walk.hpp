@@ -15,10 +15,11 @@ struct Waypoint {
 };
 
 struct WalkStyle {
-  double corner = 1;     // corners are rounded from this distance before to this distance after them, in metres
-  double yaw = 0.3;      // the view swings to both sides of the path; tangent of half the largest angle
-  double yaw_waves = 9;  // how often it does on the whole way
-  double pitch = 0.08;   // and up and down: largest slope added
+  double corner = 1;             // corners are rounded from this distance before to this distance after them, in metres
+  double behind = 1, ahead = 1;  // the view goes along the line between the points of the path that far away, in metres
+  double yaw = 0.3;              // the view swings to both sides of the path; tangent of half the largest angle
+  double yaw_waves = 9;          // how often it does on the whole way
+  double pitch = 0.08;           // and up and down: largest slope added
 };
 
 inline constexpr double camera_fov_degrees = 60;
