@@ -42,7 +42,7 @@ Drawing::Drawing(const VisibilityMap& map, const Scene& scene, const DrawOptions
     throw std::invalid_argument("a drawing's sides must be from 1 to 32767 pixels");
   }
   height_ = std::max(1, static_cast<int>(height));
-  scale_ = std::clamp(std::sqrt(static_cast<double>(options.width) * height_ / (1024.0 * 768.0)), 0.25, 4.0);
+  scale_ = std::clamp(std::sqrt(static_cast<double>(options.width) * height_ / (1024.0 * 768.0)), 0.5, 4.0);
 
   double length[5]{};
   std::size_t count[5]{};

@@ -34,8 +34,8 @@ class Drawing {
   Colour fill(const MapFace& face) const;
   Stroke stroke(EdgeKind kind) const;
   bool drawn(EdgeKind kind) const;
-  /// Width of the line in its own colour around each face, which leaves no gaps between antialiased neighbours.
-  double seal() const { return 0.7 * scale_; }
+  /// Width of the line in its own colour around each face: with a pixel, antialiased neighbours leave no gap.
+  static constexpr double seal = 1;
   const DrawOptions& options() const { return options_; }
 
  private:

@@ -71,7 +71,7 @@ void paint_map(cairo_t* context, const VisibilityMap& map, const Scene& scene, c
     }
     set_colour(context, drawing.fill(face));
     cairo_fill_preserve(context);
-    cairo_set_line_width(context, drawing.seal());
+    cairo_set_line_width(context, Drawing::seal);
     cairo_stroke(context);
   }
   for (const EdgeKind kind :

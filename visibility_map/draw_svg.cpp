@@ -27,7 +27,7 @@ void append_place(std::string& out, const glm::dvec2& place) {
 
 void append_style(std::string& out, const Drawing& drawing) {
   out += "<style>\n.face{fill-rule:evenodd;stroke-width:";
-  text::append_fixed(out, drawing.seal(), 3);
+  text::append_fixed(out, Drawing::seal, 3);
   out += ";stroke-linejoin:round}\n.edges path{fill:none;stroke-linecap:round}\n";
   for (const EdgeKind kind : thin_to_heavy) {
     const Stroke stroke = drawing.stroke(kind);

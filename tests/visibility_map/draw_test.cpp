@@ -124,16 +124,16 @@ bool same(Colour a, Colour b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
 TEST(Picture, EachFaceHasItsColour) {
   const VisibilityMap map = SquareBeforeWall::map();
   for (const auto fill : {DrawOptions::Fill::polygon, DrawOptions::Fill::shaded}) {
-    const DrawOptions options{.width = 200, .fill = fill};
+    const DrawOptions options{.width = 1000, .fill = fill};
     const Scene polygons = scene();
     const Drawing drawing(map, polygons, options);
     const Picture picture(map, options);
-    EXPECT_TRUE(same(picture.at(100, 100), drawing.fill(map.faces[1])));
-    for (const int k : {20, 180}) {
+    EXPECT_TRUE(same(picture.at(500, 500), drawing.fill(map.faces[1])));
+    for (const int k : {100, 900}) {
       EXPECT_TRUE(same(picture.at(k, k), drawing.fill(map.faces[0])));
-      EXPECT_TRUE(same(picture.at(k, 200 - k), drawing.fill(map.faces[0])));
+      EXPECT_TRUE(same(picture.at(k, 1000 - k), drawing.fill(map.faces[0])));
     }
-    EXPECT_LT(picture.at(50, 100).r, 60);  // a silhouette
+    EXPECT_LT(picture.at(250, 500).r, 60);  // a silhouette
   }
 }
 
