@@ -12,7 +12,7 @@ namespace {
 
 // All lengths are multiples of a quarter of a metre.
 constexpr int m = units_per_metre, quarter = m / 4;
-constexpr int street = 12 * m, pavement = 2 * m, kerb = quarter;
+constexpr int street = 16 * m, pavement = 2 * m, kerb = quarter;
 constexpr Point lot(16 * m, 18 * m, 0);
 constexpr int lots_x = 3, lots_y = 2, lots = lots_x * lots_y;
 constexpr int block_x = lots_x * lot.x + 2 * pavement, block_y = lots_y * lot.y + 2 * pavement;
@@ -36,7 +36,7 @@ int quarters_between(RandomNumbers& random, int least_metres, int most_metres) {
 void building(Mesh& mesh, RandomNumbers& random, const Point& corner, int storeys) {
   Point lo = corner + Point{random.below(5) * quarter, random.below(5) * quarter, kerb};
   Point hi = corner + lot - Point{random.below(5) * quarter, random.below(5) * quarter, 0};
-  hi.z = random.chance(1, 12) ? quarters_between(random, 34, 46) : quarters_between(random, 9, 24);
+  hi.z = random.chance(1, 12) ? quarters_between(random, 28, 44) : quarters_between(random, 6, 20);
   mesh.box(lo, hi, standing);
   for (int k = 1; k < storeys; ++k) {
     const int inset = random.between(4, 8) * quarter;
@@ -62,28 +62,39 @@ void block(Mesh& mesh, RandomNumbers& random, const Point& corner, int boxes) {
   }
 }
 
-/// Through streets at the height of a walker, zigzag, then up in a street and back over the roofs.
+/// How many of the boxes the first `block` blocks have. Every seventh has a fifth of what the others have.
+int boxes_up_to(std::int64_t block, std::int64_t blocks, std::int64_t boxes) {
+  const auto weight = [](std::int64_t count) { return 5 * count - 4 * ((count + 3) / 7); };
+  return static_cast<int>(boxes * weight(block) / weight(blocks));
+}
+
+/// Through streets at the height of a walker, zigzag, towards the edge of the city; then back along a street, up and
+/// over the roofs.
 std::vector<Waypoint> route(int columns, int rows) {
-  const auto crossing = [](int column, int row) {  // where the street before this column leaves the one before this row
+  // Where the street before a column leaves the one before a row.
+  const auto crossing = [](int column, int row) {
     const Point c = block_corner(column, row);
     return glm::dvec3(c.x - street / 2, c.y - street / 2, 0) / static_cast<double>(m);
   };
+  const int near_columns = std::min(columns, district), first_street = std::min(rows - 1, 4);
+  const int last_street = first_street > 3 ? 2 : 1;
   const glm::dvec3 eye(0, 0, 1.75);
-  std::vector<Waypoint> way{{crossing(0, 0) + eye}};
-  const int last_row = std::min(rows, 4), last_column = std::min(columns, 4);
-  for (int row = 0; row < last_row; ++row) {
-    const int column = row % 2 == 0 ? last_column * 3 / 4 : last_column / 4;
-    const glm::dvec3 from = crossing(column, row), to(from.x, from.y + pitch_y / static_cast<double>(m), from.z);
-    way.push_back({from + eye});
+  std::vector<Waypoint> way;
+  if (near_columns > 2 && first_street > 1) way.push_back({crossing(near_columns - 1, first_street) + eye});
+  for (int row = first_street - 1; row >= last_street; --row) {
+    const int column = row == last_street ? 1 : row % 2 == 0 ? near_columns / 4 : near_columns * 3 / 4;
+    const glm::dvec3 to = crossing(column, row);
+    way.push_back({glm::dvec3(to.x, crossing(column, row + 1).y, 0) + eye});
     way.push_back({to + eye});
   }
-  // The last street is followed to its end while rising; from there straight over the city, looking down.
-  const double high = static_cast<double>(tallest + 16 * m) / m;
-  const glm::dvec3 up_from = way.back().at;
-  const double end_x = static_cast<double>(block_corner(last_column - 1, 0).x + block_x) / m;
-  way.push_back({{(up_from.x + end_x) / 2, up_from.y, 12}, -0.05});
-  way.push_back({{end_x, up_from.y, high}, -0.6});
-  way.push_back({{end_x / 2, up_from.y / 2, high}, -0.75});
+  if (way.empty()) way.push_back({crossing(0, 0) + eye});
+  const glm::dvec3 start = way.back().at;
+  const double end = static_cast<double>(block_corner(near_columns - 1, 0).x + block_x) / m;
+  const auto along = [&](double part, double z) { return glm::dvec3(start.x + part * (end - start.x), start.y, z); };
+  way.push_back({along(0.125, 3)});
+  way.push_back({along(0.25, 22), -0.1});
+  way.push_back({along(0.5, static_cast<double>(tallest) / m), -0.3});
+  way.push_back({along(0.625, static_cast<double>(tallest) / m), -0.4});
   return way;
 }
 
@@ -111,12 +122,11 @@ Model make_city(std::uint32_t polygons, std::uint64_t seed) {
   const std::int64_t blocks = columns * rows;
   for (std::int64_t b = 0; b < blocks; ++b) {
     mesh.object("block " + std::to_string(b));
-    const auto share = [&](std::int64_t i) { return static_cast<int>(i * boxes / blocks); };
     block(mesh, random, block_corner(static_cast<int>(b % columns), static_cast<int>(b / columns)),
-          share(b + 1) - share(b));
+          boxes_up_to(b + 1, blocks, boxes) - boxes_up_to(b, blocks, boxes));
   }
   return {mesh.take("city"), walk(route(columns, rows), walk_cameras,
-                                  {.corner = 6, .behind = 6, .ahead = 6, .yaw = 0.25, .yaw_waves = 7, .pitch = 0.12})};
+                                  {.corner = 6, .behind = 6, .ahead = 6, .yaw = 0.12, .yaw_waves = 7, .pitch = 0.12})};
 }
 
 }  // namespace sightline::models

@@ -108,9 +108,10 @@ void wall(Mesh& mesh, const Maze& maze, int c, int d) {
 
 Model make_maze(std::uint32_t polygons, std::uint64_t seed) {
   if (polygons < 24 || polygons > 4'000'000) throw std::invalid_argument("maze: polygons must be 24 to 4000000");
-  // A perfect maze of c x r cells has (c+1)(r+1) walls, its border's included; a sixth more are built and torn down.
+  // A perfect maze of c x r cells has (c+1)(r+1) walls, its border's included; half as many more are built and torn
+  // down.
   const int walls = static_cast<int>(polygons) - 2;
-  const int wanted = walls + walls / 6;
+  const int wanted = walls + walls / 2;
   int side = 1;
   while (side * side < wanted) ++side;
   const int columns = side - 1, rows = (wanted + side - 1) / side - 1;
@@ -135,7 +136,8 @@ Model make_maze(std::uint32_t polygons, std::uint64_t seed) {
     way.push_back({{2 * (c % columns) + 1, 2 * (c / columns) + 1, 1.625}});
     if (way.size() > 300) break;
   }
-  return {mesh.take("maze"), walk(way, walk_cameras, {.corner = 0.75, .yaw_waves = 13})};
+  return {mesh.take("maze"),
+          walk(way, walk_cameras, {.corner = 0.75, .behind = 0, .ahead = 4, .yaw = 0.15, .yaw_waves = 7})};
 }
 
 }  // namespace sightline::models

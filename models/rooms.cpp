@@ -45,7 +45,7 @@ Model make_rooms() {
   const std::vector<Waypoint> way{{{2, 2.5, 1.625}},   {{9.75, 2.5, 1.625}}, {{9.75, 4.5, 1.625}},
                                   {{14, 4.5, 1.625}},  {{14, 10, 1.625}},    {{10, 8.5, 1.625}},
                                   {{5.5, 8.5, 1.625}}, {{5.5, 3.5, 1.625}},  {{2, 3.5, 1.625}}};
-  return {mesh.take("rooms"), walk(way, walk_cameras)};
+  return {mesh.take("rooms"), walk(way, walk_cameras, {.ahead = 4, .yaw = 0.2})};
 }
 
 }  // namespace sightline::models
