@@ -105,7 +105,8 @@ void measure(State& s, VisibilityMap& map) {
   for (const MapEdge& e : map.edges) {
     const MapVertex &a = map.vertices[e.vertex[0]], &b = map.vertices[e.vertex[1]];
     s.edge_area.push_back(twice_area(a, b));
-    s.edge_angle.push_back(s.handedness * solid_angle(r, a.direction, b.direction));
+    // Counter-clockwise seen from the eye is clockwise seen from outside the sphere.
+    s.edge_angle.push_back(-s.handedness * solid_angle(r, a.direction, b.direction));
   }
   // Loops by face.
   std::uint32_t first = 0;
