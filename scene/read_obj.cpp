@@ -64,7 +64,6 @@ class ObjReader {
       for (int part = 0; part < 2 && in_.take('/'); ++part) {  // texture and normal, either may be left out
         if (!in_.at_token_end() && !(part == 0 && in_.next_is('/'))) in_.integer(item, "index", part == 0 ? '/' : '\0');
       }
-      if (!in_.at_token_end()) in_.fail(item, quoted(in_.token()) + " is no part of a corner");
       const auto count = static_cast<std::int64_t>(soup_.vertices.size());
       if (written == 0) in_.fail(item, "vertex 0 is out of range, they are numbered from 1");
       const std::int64_t index = written > 0 ? written - 1 : written >= -count ? count + written : -1;
