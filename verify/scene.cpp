@@ -130,41 +130,77 @@ Surface planar_surface(std::span<const Corner> chain, Triple normal) {
   return surface;
 }
 
-/// The corners of the triangles into which a polygon that is not planar is cut: a fan from the first vertex, unless
-/// that folds over itself as seen along the area vector; then ears, the first that can be cut each time.
-std::vector<std::array<std::size_t, 3>> triangles(std::span<const Corner> chain) {
-  const std::size_t n = chain.size();
-  const Triple along = area_vector(chain);
-  const auto turn = [&](std::size_t a, std::size_t b, std::size_t c) {
-    return sign_dot(cross(chain[b].p - chain[a].p, chain[c].p - chain[a].p), along);
-  };
-  std::vector<std::array<std::size_t, 3>> fan, ears;
-  bool folds = false;
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    folds = folds || turn(0, i, i + 1) < 0;
-    fan.push_back({0, i, i + 1});
-  }
-  if (!folds) return fan;
-  std::vector<std::size_t> left(n);
-  for (std::size_t i = 0; i < n; ++i) left[i] = i;
-  while (left.size() > 3) {
-    bool cut = false;
-    for (std::size_t k = 0; k < left.size() && !cut; ++k) {
-      const std::size_t a = left[(k + left.size() - 1) % left.size()], b = left[k], c = left[(k + 1) % left.size()];
-      if (turn(a, b, c) <= 0) continue;
-      const bool free = std::none_of(left.begin(), left.end(), [&](std::size_t p) {
-        return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
-      });
-      if (!free) continue;
-      ears.push_back({a, b, c});
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
-      cut = true;
+/// Cuts a polygon that is not planar into triangles: a fan from the first vertex, unless that folds over itself as seen
+/// along the axis of the largest component of the area vector; then ears, each time the next one going round from where
+/// the last was cut, the second vertex first; and the fan again where there is no ear, since the chain crosses itself.
+class Triangulation {
+ public:
+  using Triangle = std::array<std::size_t, 3>;
+  explicit Triangulation(std::span<const Corner> chain) : chain_(chain) {
+    const Triple along = area_vector(chain);
+    const std::array<const Integer*, 3> parts{&along.x, &along.y, &along.z};
+    for (int k = 1; k < 3; ++k) {
+      if (abs(*parts[static_cast<std::size_t>(k)]) > abs(*parts[static_cast<std::size_t>(axis_)])) axis_ = k;
     }
-    if (!cut) return fan;  // it crosses itself: there is nothing better
+    way_ = sgn(*parts[static_cast<std::size_t>(axis_)]);
   }
-  ears.push_back({left[0], left[1], left[2]});
-  return ears;
-}
+
+  std::vector<Triangle> triangles() const {
+    std::vector<Triangle> fan;
+    bool with = false, against = false;
+    for (std::size_t i = 1; i + 1 < chain_.size(); ++i) {
+      fan.push_back({0, i, i + 1});
+      with = with || turn(0, i, i + 1) > 0;
+      against = against || turn(0, i, i + 1) < 0;
+    }
+    if (way_ == 0 || !(with && against)) return fan;
+    std::vector<Triangle> out = ears();
+    return out.empty() ? fan : out;
+  }
+
+ private:
+  int turn(std::size_t a, std::size_t b, std::size_t c) const {
+    const Triple n = cross(chain_[b].p - chain_[a].p, chain_[c].p - chain_[a].p);
+    return way_ * sgn(axis_ == 0 ? n.x : axis_ == 1 ? n.y : n.z);
+  }
+  /// The same place in the view?
+  bool same_place(std::size_t a, std::size_t b) const {
+    const Triple d = chain_[a].p - chain_[b].p;
+    return (axis_ == 0 || d.x == 0) && (axis_ == 1 || d.y == 0) && (axis_ == 2 || d.z == 0);
+  }
+  bool is_ear(const std::vector<std::size_t>& left, const Triangle& t) const {
+    const int way = turn(t[0], t[1], t[2]);
+    if (way <= 0) return way == 0;
+    return std::none_of(left.begin(), left.end(), [&](std::size_t p) {
+      return !same_place(p, t[0]) && !same_place(p, t[1]) && !same_place(p, t[2]) && turn(t[0], t[1], p) >= 0 &&
+             turn(t[1], t[2], p) >= 0 && turn(t[2], t[0], p) >= 0;
+    });
+  }
+  std::vector<Triangle> ears() const {
+    std::vector<std::size_t> left(chain_.size());
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
+    std::vector<Triangle> out;
+    for (std::size_t at = 1; left.size() > 3;) {
+      const std::size_t n = left.size();
+      std::size_t tried = 0;
+      const auto ear = [&] { return Triangle{left[(at + n - 1) % n], left[at % n], left[(at + 1) % n]}; };
+      while (tried < n && !is_ear(left, ear())) {
+        ++at;
+        ++tried;
+      }
+      if (tried == n) return {};
+      out.push_back(ear());
+      at %= n;
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+    if (turn(left[0], left[1], left[2]) < 0) return {};
+    out.push_back({left[0], left[1], left[2]});
+    return out;
+  }
+
+  std::span<const Corner> chain_;
+  int axis_ = 0, way_ = 0;
+};
 
 }  // namespace
 
@@ -186,7 +222,7 @@ Shape Scene::make_shape(std::uint32_t polygon) const {
     if (!surface.inside.empty()) shape.surfaces.push_back(std::move(surface));
     return shape;
   }
-  for (const auto& t : triangles(chain)) {
+  for (const auto& t : Triangulation(chain).triangles()) {
     const std::array<Corner, 3> corner{chain[t[0]], chain[t[1]], chain[t[2]]};
     Triple normal = any_normal(corner);
     if (normal.is_zero()) continue;
