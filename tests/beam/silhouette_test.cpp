@@ -6,6 +6,7 @@
 
 #include "beam/trace.hpp"
 #include "bsp/build.hpp"
+#include "exact/sightline_table.hpp"
 #include "models/model.hpp"
 #include "winged_pair/traverse.hpp"
 
