@@ -127,7 +127,7 @@ double estimated_structure(const Layout& layout) {
 /// The layout whose structure is about a third of the polygons and whose proportions are good: about five levels
 /// on a floor of two modules, and so on in proportion. `levels`: as many, 0 for any number.
 Layout choose_layout(int polygons, int levels) {
-  if (polygons < 200) return {{1, 1, 0, (polygons - 9) / 10}, 1};
+  if (polygons < 260) return {{1, 1, 0, (polygons - 9) / 10}, 1};
   Layout best;
   double best_cost = 1e9;
   for (int x = 1; x <= 256; ++x) {

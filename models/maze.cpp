@@ -104,17 +104,24 @@ void wall(Mesh& mesh, const Maze& maze, int c, int d) {
   panel(mesh, ring[static_cast<std::size_t>(d + 1) % 4], ring[static_cast<std::size_t>(d)]);
 }
 
+/// Columns and rows. A perfect maze of c x r cells has (c+1)(r+1) walls, its border's included. Up to twice as many as
+/// wanted are built and torn down again, fewer where the border would take more than half of them.
+std::array<int, 2> choose_size(int walls) {
+  for (int wanted = 2 * walls;; wanted = wanted * 9 / 10) {
+    wanted = std::max(wanted, walls + walls / 6);
+    int side = 1;
+    while (side * side < wanted) ++side;
+    const int columns = side - 1, rows = (wanted + side - 1) / side - 1;
+    if (4 * (columns + rows) <= walls || wanted == walls + walls / 6) return {columns, rows};
+  }
+}
+
 }  // namespace
 
 Model make_maze(std::uint32_t polygons, std::uint64_t seed) {
   if (polygons < 24 || polygons > 4'000'000) throw std::invalid_argument("maze: polygons must be 24 to 4000000");
-  // A perfect maze of c x r cells has (c+1)(r+1) walls, its border's included; half as many more are built and torn
-  // down.
   const int walls = static_cast<int>(polygons) - 2;
-  const int wanted = walls + walls / 2;
-  int side = 1;
-  while (side * side < wanted) ++side;
-  const int columns = side - 1, rows = (wanted + side - 1) / side - 1;
+  const auto [columns, rows] = choose_size(walls);
 
   RandomNumbers random(seed);
   Maze maze(columns, rows);

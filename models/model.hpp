@@ -15,11 +15,13 @@ struct ModelOptions {
   double rotate_degrees = 0;   // about the axis (1,2,3) through the origin, in rounded doubles
 };
 
-/// Polygons and the cameras that go with them, all 60 degrees high and 4:3. Unrotated, vertices are multiples of
-/// 1/16, eyes of 1/64; z is up. Laws, each tested: (1) no two vertices are equal and none is unused; (2) every polygon
-/// is exactly planar and simple; (3) it runs counter-clockwise seen from its open side, where the model has solid walls
-/// (all but rooms, maze and random); (4) no eye is on a polygon or within a wall, and a walk never crosses a polygon;
-/// (5) every polygon belongs to a named object; (6) a rotated copy has the same polygons.
+/// Polygons and the cameras that go with them, all 60 degrees high and 4:3: 100 along a walk for the first six models,
+/// as many as in the paper for the others. Unrotated, vertices are multiples of 1/16 and eyes of 1/64; z is up. Laws,
+/// each tested: (1) no two vertices are equal and none is unused; (2) every polygon is exactly planar and simple; (3)
+/// it runs counter-clockwise seen from its open side (rooms, maze and random have walls without thickness, which have
+/// no such side); (4) no eye is on a polygon or within a wall, and in rooms, maze, arena and city the straight step
+/// from one eye to the next is free (elsewhere steps may cut a corner); (5) every polygon belongs to a named object;
+/// (6) a rotated copy has the same polygons, its lengths kept to rounding.
 struct Model {
   PolygonSoup soup;
   std::vector<CameraLine> cameras;
