@@ -25,7 +25,7 @@ int build_scene(BuildCommand& command) {
   if (command.output.extension() != ".wp") throw UsageError("-o " + command.output.string() + ": must end in .wp");
   if (command.scene.extension() == ".wp") throw UsageError(command.scene.string() + ": is already built");
   const Stopwatch watch;
-  Report report{"build", {}, {}, {}, 0};
+  Report report{"build", {}, {}, {}, 0, done};
   const Scene scene = read_input(command.scene, command.common).scene;
   tell(describe(scene), command.common.quiet);
   BuildStats stats;

@@ -43,7 +43,7 @@ int write_model(ModelCommand& command) {
            ": " + counted(model.cameras.size(), "camera"),
        command.common.quiet);
   if (command.common.json || !command.common.report.empty()) {
-    Report report{"model", make_scene(std::move(model.soup)), {}, {}, watch.seconds()};
+    Report report{"model", make_scene(std::move(model.soup)), {}, {}, watch.seconds(), done};
     publish(report, command.common);
   }
   return done;

@@ -7,10 +7,7 @@
 
 namespace sightline::app {
 
-void add_common_options(CLI::App& command, CommonOptions& options) {
-  command.add_option("--snap", options.snap, "Move coordinates and eyes to the nearest multiples of this decimal unit")
-      ->type_name("UNIT");
-  command.add_flag("--one-sided", options.one_sided, "Polygons are opaque only from their counter-clockwise side");
+void add_run_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--threads", options.threads, "Threads to use (default: one a processor)")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
@@ -19,9 +16,16 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
       ->capture_default_str();
   command.add_option("--report", options.report, "Write times, counts and decision tallies to this JSON file")
       ->type_name("FILE");
+  command.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print the version and exit");
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+  command.add_option("--snap", options.snap, "Move coordinates and eyes to the nearest multiples of this decimal unit")
+      ->type_name("UNIT");
+  command.add_flag("--one-sided", options.one_sided, "Polygons are opaque only from their counter-clockwise side");
+  add_run_options(command, options);
   command.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
   command.add_flag("--json", options.json, "Print the report to standard output");
-  command.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print the version and exit");
 }
 
 void check(CommonOptions& options) {

@@ -23,6 +23,8 @@ struct CommonOptions {
 
 /// Adds them to a subcommand. Values are checked when `check` is called, after parsing.
 void add_common_options(CLI::App& command, CommonOptions& options);
+/// Those of them that concern the run and not the scene or the messages: --threads, --engine, --report, --version.
+void add_run_options(CLI::App& command, CommonOptions& options);
 /// Throws UsageError; fills in the number of threads.
 void check(CommonOptions& options);
 

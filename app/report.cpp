@@ -6,6 +6,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace sightline::app {
@@ -14,10 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Of this process or of the largest that it ran.
 std::uint64_t peak_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+  rusage self{}, children{};
+  getrusage(RUSAGE_SELF, &self);
+  getrusage(RUSAGE_CHILDREN, &children);
+  return static_cast<std::uint64_t>(std::max(self.ru_maxrss, children.ru_maxrss)) * 1024;  // Linux counts in KiB
 }
 
 Json scene_json(const Scene& scene) {
@@ -73,7 +76,8 @@ ComplexFigures figures_of(const Complex& complex) {
 
 std::string report_json(const Report& report, const CommonOptions& options) {
   Json json = {{"version", SIGHTLINE_VERSION}, {"command", report.command}, {"threads", options.threads},
-               {"engine", options.engine},     {"seconds", report.seconds}, {"peak_bytes", peak_bytes()}};
+               {"engine", options.engine},     {"seconds", report.seconds}, {"exit_code", report.exit_code},
+               {"peak_bytes", peak_bytes()}};
   if (report.scene) json["scene"] = scene_json(*report.scene);
   if (report.complex) json["complex"] = complex_json(*report.complex);
   json["cameras"] = Json::array();

@@ -30,6 +30,7 @@ struct Report {
   std::optional<ComplexFigures> complex;
   std::vector<CameraFigures> cameras;
   double seconds = 0;  // the whole run, reading and writing included
+  int exit_code = 0;
 };
 
 /// The report as JSON, with the decision tallies and the peak of memory of this process.

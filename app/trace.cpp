@@ -124,7 +124,7 @@ int trace_cameras(TraceCommand& command) {
   make_folder(command.folder);
   tell(describe(input.scene), command.common.quiet);
 
-  Report report{"trace", input.scene, {}, {}, 0};
+  Report report{"trace", input.scene, {}, {}, 0, done};
   if (input.complex) {
     report.complex = figures_of(*input.complex);
     report.complex->from_file = true;
@@ -139,17 +139,17 @@ int trace_cameras(TraceCommand& command) {
   MapWriter writer(command.folder, formats, cameras.size());
   report.cameras = trace_all(input.scene, *input.complex, cameras, writer, command.common);
   writer.finish();
-  report.seconds = watch.seconds();
-  publish(report, command.common);
-
   std::size_t failed = 0;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
     if (report.cameras[k].error.empty()) continue;
     complain("camera " + std::to_string(k) + " failed: " + report.cameras[k].error);
     ++failed;
   }
+  report.exit_code = failed == 0 ? done : some_failed;
+  report.seconds = watch.seconds();
+  publish(report, command.common);
   tell(counted(cameras.size() - failed, "camera") + " traced to " + command.folder.string(), command.common.quiet);
-  return failed == 0 ? done : some_failed;
+  return report.exit_code;
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include "app/interrupt.hpp"
 #include "app/messages.hpp"
 #include "app/options.hpp"
+#include "app/report.hpp"
+#include "app/stopwatch.hpp"
 
 #include <signal.h>
 #include <spawn.h>
@@ -50,7 +52,12 @@ pid_t start(const std::filesystem::path& verifier, const std::vector<std::string
   return child;
 }
 
-int verify_maps(const std::vector<std::string>& arguments) {
+struct VerifyCommand {
+  CommonOptions common;
+  std::vector<std::string> arguments;  // for the verifier
+};
+
+int run_verifier(const std::vector<std::string>& arguments) {
   const pid_t child = start(find_verifier(), arguments);
   set_interrupted_child(child);
   int status = 0;
@@ -65,20 +72,36 @@ int verify_maps(const std::vector<std::string>& arguments) {
   return internal_error;
 }
 
+int verify_maps(VerifyCommand& command) {
+  std::vector<std::string> arguments = command.arguments;
+  if (command.common.threads != 0) {
+    arguments.insert(arguments.end(), {"--threads", std::to_string(command.common.threads)});
+  }
+  check(command.common);
+  const Stopwatch watch;
+  const int code = run_verifier(arguments);
+  Report report{"verify", {}, {}, {}, watch.seconds(), code};
+  publish(report, command.common);
+  return code;
+}
+
 }  // namespace
 
 void add_verify_command(CLI::App& root, Run& run) {
   CLI::App* sub = root.add_subcommand("verify", "Check maps against the scene in exact rationals, independently");
   sub->footer(
-      "SCENE MAP.json [MAP.json ..] and options are passed to the separate program sightline-verify;\n"
-      "see sightline-verify --help.\n"
+      "SCENE MAP.json [MAP.json ..] and all other options are passed to the separate program sightline-verify: "
+      "--snap,\n"
+      "--one-sided, --cameras FILE, --limit N, --json, -q.\n"
       "Exit code 0: every map is right; 1: a fault was found; 3: bad input.");
-  sub->set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print the version and exit");
-  sub->prefix_command();
-  sub->callback([sub, &run] {
-    const std::vector<std::string> arguments = sub->remaining();
-    if (arguments.empty()) throw UsageError("verify: SCENE and MAP.json are needed (see sightline verify --help)");
-    run = [arguments] { return verify_maps(arguments); };
+  auto command = std::make_shared<VerifyCommand>();
+  add_run_options(*sub, command->common);
+  sub->allow_extras();
+  sub->callback([sub, command, &run] {
+    command->arguments = sub->remaining();
+    if (command->arguments.empty())
+      throw UsageError("verify: SCENE and MAP.json are needed (see sightline verify --help)");
+    run = [command] { return verify_maps(*command); };
   });
 }
 
