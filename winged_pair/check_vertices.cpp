@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace sightline::check_detail {
 namespace {
 
-/// Is the vertex's approximation as near as it claims? Exactly: |c/w * 2^-unit_bits - approx| <= error.
+/// Is the vertex's approximation as near as it claims? Exactly: |c/w * 2^-unit_bits - approx| <= error, and the least
+/// positive double more, since a nearer approximation may not exist.
 bool approximation_right(const ExactVertex& exact, const ImplicitVertex& place, int unit_bits) {
   if (!std::isfinite(place.error) || place.error < 0) return false;
   for (int k = 0; k < 3; ++k) {
@@ -16,7 +18,10 @@ bool approximation_right(const ExactVertex& exact, const ImplicitVertex& place, 
     mpq_class x(exact.c[static_cast<std::size_t>(k)], exact.w);
     x.canonicalize();
     mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(unit_bits));
-    if (abs(x - mpq_class(place.approx[k])) > mpq_class(place.error)) return false;
+    if (abs(x - mpq_class(place.approx[k])) >
+        mpq_class(place.error) + mpq_class(std::numeric_limits<double>::denorm_min())) {
+      return false;
+    }
   }
   return true;
 }

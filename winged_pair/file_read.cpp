@@ -285,9 +285,8 @@ class Reader {
   void word(const Item& item, std::string_view expected) {
     const std::string_view token = in_.token();
     if (token == expected) return;
-    in_.fail(item, token.empty() && in_.at_end()
-                       ? "the file ends before it"
-                       : quoted(token) + " where '" + std::string(expected) + "' should stand");
+    if (token.empty()) in_.fail(item, in_.at_end() ? "the file ends before it" : "missing");
+    in_.fail(item, quoted(token) + " where '" + std::string(expected) + "' should stand");
   }
 
   std::uint32_t number(const Item& item, const char* what, std::uint32_t size) {
