@@ -1,8 +1,9 @@
 // sightline-verify SCENE MAP.json ..
+#include "verify/exact.hpp"
 #include "verify/verify.hpp"
 
-#include <chrono>
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -49,6 +50,14 @@ std::size_t natural(const std::string& option, const std::string& text) {
   return std::stoul(text);
 }
 
+std::string positive_decimal(const std::string& text) {
+  try {
+    if (parse_decimal(text) > 0) return text;
+  } catch (const std::invalid_argument&) {
+  }
+  throw Usage{"--snap needs a positive decimal, not '" + text + "'"};
+}
+
 Arguments parse(int argc, char** argv) {
   Arguments out;
   out.options.threads = std::max(1U, std::thread::hardware_concurrency());
@@ -73,7 +82,7 @@ Arguments parse(int argc, char** argv) {
     if (word == "--") {
       options_end = true;
     } else if (word == "--snap") {
-      out.options.snap = value();
+      out.options.snap = positive_decimal(value());
     } else if (word == "--one-sided") {
       out.options.one_sided = true;
     } else if (word == "--cameras") {
