@@ -81,7 +81,7 @@ Colour Drawing::fill(const MapFace& face) const {
   // Steps of the golden ratio keep the hues of neighbouring indices far apart; the plastic number spreads lightness.
   const double hue = fraction(0.08 + face.polygon * 0.6180339887498949);
   const double offset = fraction(face.polygon * 0.7548776662466927) - 0.5;
-  return oklch(0.66 + 0.22 * brightness + 0.06 * offset, 0.075, hue);
+  return oklch(0.56 + 0.3 * brightness + 0.06 * offset, 0.07, hue);
 }
 
 bool Drawing::drawn(EdgeKind kind) const {

@@ -28,9 +28,19 @@ Canvas::~Canvas() {
   cairo_surface_destroy(surface_);
 }
 
-void Canvas::background(Colour colour) {
-  pen(colour);
+void Canvas::background(Colour colour) { veil(colour, 1); }
+
+void Canvas::veil(Colour colour, double opacity) {
+  pen(colour, opacity);
   cairo_paint(context_);
+}
+
+void Canvas::reduce_colours() {
+  cairo_surface_flush(surface_);
+  unsigned char* data = cairo_image_surface_get_data(surface_);
+  const int bytes = cairo_image_surface_get_stride(surface_) * height_;
+  for (int k = 0; k < bytes; ++k) data[k] = static_cast<unsigned char>((data[k] + 8) / 17 * 17);
+  cairo_surface_mark_dirty(surface_);
 }
 
 void Canvas::map(const VisibilityMap& map, const Scene& scene, const DrawOptions& options) {

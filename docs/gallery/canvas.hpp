@@ -18,6 +18,8 @@ class Canvas {
   ~Canvas();
 
   void background(Colour colour);
+  /// A thin coat over all that is there.
+  void veil(Colour colour, double opacity);
   void map(const VisibilityMap& map, const Scene& scene, const DrawOptions& options);
   /// A line of the world, clipped to what lies before the eye.
   void line(const glm::dvec3& a, const glm::dvec3& b);
@@ -27,6 +29,8 @@ class Canvas {
   void window_line(const glm::dvec2& a, const glm::dvec2& b);
   /// What the calls above draw with.
   void pen(Colour colour, double opacity = 1, double line_width = 1);
+  /// Rounds colours to sixteen levels a channel: fine lines make large files otherwise.
+  void reduce_colours();
   /// Throws std::runtime_error if it cannot be written.
   void write_png(const std::filesystem::path& file) const;
 

@@ -18,8 +18,8 @@
 namespace sightline::gallery {
 namespace {
 
-constexpr int width = 1000;
-constexpr Colour white{255, 255, 255}, green{64, 220, 96}, yellow{255, 222, 30}, blue{64, 120, 230}, night{16, 18, 26};
+constexpr int width = 880;
+constexpr Colour white{255, 255, 255}, green{64, 220, 96}, yellow{255, 222, 30}, blue{64, 120, 230}, night{17, 17, 34};
 
 glm::dvec3 world(const Scene& scene, const ImplicitVertex& v) {
   glm::dvec3 result;
@@ -57,14 +57,23 @@ Camera birds_eye(const PolygonSoup& soup) {
   }
   const glm::dvec3 middle = 0.5 * (low + high);
   const double size = std::max(high.x - low.x, high.y - low.y);
-  const glm::dvec3 eye = middle + size * glm::dvec3(-0.42, -0.68, 0.72);
-  return make_camera(eye, middle - eye - glm::dvec3(0, 0, 0.05 * size), {0, 0, 1}, 44, 4.0 / 3);
+  const glm::dvec3 eye = middle + size * glm::dvec3(-0.5, -0.8, 1);
+  return make_camera(eye, middle - eye - glm::dvec3(0, 0, 0.2 * size), {0, 0, 1}, 42, 4.0 / 3);
 }
 
+/// All edges of a complex: faint in free space, clear where they bound or cross polygons.
 void draw_edges(Canvas& canvas, const Scene& scene, const Complex& complex) {
-  for (const Edge& edge : complex.edges) {
-    canvas.line(world(scene, complex.vertices[edge.vertex[0]].place),
-                world(scene, complex.vertices[edge.vertex[1]].place));
+  for (const bool opaque : {false, true}) {
+    canvas.pen(white, opaque ? 0.6 : 0.14, opaque ? 0.8 : 0.6);
+    for (EdgeId e = 0; e < complex.edges.size(); ++e) {
+      bool found = false;
+      for_pairs_of_edge(complex, e,
+                        [&](PairId p) { found = found || complex.faces[complex.pairs[p].face].label != 0; });
+      const auto& ends = complex.edges[e].vertex;
+      if (found == opaque) {
+        canvas.line(world(scene, complex.vertices[ends[0]].place), world(scene, complex.vertices[ends[1]].place));
+      }
+    }
   }
 }
 
@@ -98,15 +107,15 @@ void draw(const std::filesystem::path& folder, std::size_t index) {
   const DrawOptions plain{.silhouettes = false};
 
   Canvas a(above, width);
-  a.map(trace(faces, of_faces, above), faces, {.silhouettes = false});
+  a.map(trace(faces, of_faces, above), faces, {});
   a.write_png(folder / "a-faces-from-above.png");
 
   Canvas b(above, width);
   b.background(night);
-  b.pen(white, 0.4, 0.7);
   draw_edges(b, city, complex);
   b.pen(green);
   for (const Vertex& v : complex.vertices) b.dot(world(city, v.place), 1.3);
+  b.reduce_colours();
   b.write_png(folder / "b-edges-and-vertices.png");
 
   Canvas c(inside, width);
@@ -115,6 +124,7 @@ void draw(const std::filesystem::path& folder, std::size_t index) {
 
   Canvas d(inside, width);
   d.map(map_of_faces, faces, plain);
+  d.veil(night, 0.35);
   d.pen(white, 1, 4);
   for (const MapEdge& edge : map.edges) {
     if (edge.kind == EdgeKind::silhouette) {
@@ -125,10 +135,12 @@ void draw(const std::filesystem::path& folder, std::size_t index) {
 
   Canvas e(inside, width);
   e.map(map_of_faces, faces, plain);
+  e.veil(night, 0.45);
   e.pen(yellow, 1, 1);
   for (const auto& outline : beam_outlines(city, complex, inside)) {
     for (std::size_t k = 0; k < outline.size(); ++k) e.window_line(outline[k], outline[(k + 1) % outline.size()]);
   }
+  e.reduce_colours();
   e.write_png(folder / "e-beams.png");
 
   Canvas f(above, width);
@@ -144,10 +156,10 @@ void draw(const std::filesystem::path& folder, std::size_t index) {
   std::sort(parts.begin(), parts.end(), [](const auto& p, const auto& q) { return p.first > q.first; });
   f.pen(blue, 1, 0.7);
   for (const auto& part : parts) f.polygon(part.second);
-  f.pen(white, 0.3, 0.6);
   draw_edges(f, city, complex);
   f.pen(yellow);
   f.dot(inside.eye, 5);
+  f.reduce_colours();
   f.write_png(folder / "f-visible-surfaces.png");
 }
 
@@ -160,7 +172,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    sightline::gallery::draw(argv[1], argc == 3 ? std::stoul(argv[2]) : 40);
+    sightline::gallery::draw(argv[1], argc == 3 ? std::stoul(argv[2]) : 82);
   } catch (const std::exception& e) {
     std::cerr << "sightline_gallery: " << e.what() << '\n';
     return 1;
