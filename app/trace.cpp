@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <sstream>
 
 namespace sightline::app {
 
@@ -27,15 +28,19 @@ namespace {
 struct TraceCommand {
   CommonOptions common;
   std::filesystem::path input, cameras, folder;
-  std::vector<std::string> formats{"map"};
+  std::string formats = "map";
 };
 
-std::set<std::string> checked_formats(const std::vector<std::string>& names) {
+/// The names between the commas.
+std::set<std::string> checked_formats(const std::string& list) {
   static const std::set<std::string> known{"map", "svg", "png", "pdf", "csv"};
-  for (const std::string& name : names) {
-    if (!known.contains(name)) throw UsageError("--format " + name + ": no such format (map, svg, png, pdf, csv)");
+  std::set<std::string> formats;
+  std::istringstream names(list + ",");
+  for (std::string name; std::getline(names, name, ',');) {
+    if (!known.contains(name)) throw UsageError("--format " + list + ": formats are map, svg, png, pdf, csv");
+    formats.insert(name);
   }
-  return {names.begin(), names.end()};
+  return formats;
 }
 
 /// Files of one camera after the other: DIR/0000.map.json, DIR/0000.svg, ..
@@ -162,10 +167,9 @@ void add_trace_command(CLI::App& root, Run& run) {
       ->type_name("SCENE|X.wp");
   sub->add_option("--cameras", command->cameras, "Cameras file")->required()->type_name("C");
   sub->add_option("-o,--output", command->folder, "Folder for the maps; made if missing")->required()->type_name("DIR");
-  sub->add_option("--format", command->formats, "What to write: map, svg, png, pdf, csv (default: map)")
-      ->delimiter(',')
-      ->expected(1)
-      ->type_name("LIST");
+  sub->add_option("--format", command->formats, "What to write: map, svg, png, pdf, csv")
+      ->type_name("LIST")
+      ->capture_default_str();
   add_common_options(*sub, command->common);
   sub->callback([command, &run] { run = [command] { return trace_cameras(*command); }; });
 }
