@@ -8,25 +8,32 @@
 
 namespace sightline {
 
-/// Regions as lists of sides on one stack: inward normals, counter-clockwise as seen from the eye, every side of
-/// positive length. Nothing but signs of three sightlines is ever computed.
+/// A side of a region: its line with the normal pointing inwards, and the corner with the next side, the ray
+/// n_next x n_line of the approximate normals.
+struct RegionSide {
+  SightlineRef line;
+  glm::dvec3 corner;
+};
+
+/// Regions as lists of sides on one stack: counter-clockwise as seen from the eye, every side of positive length. The
+/// corners serve filters alone; what is decided is the sign of three sightlines.
 class Regions {
  public:
   struct Region {
     std::uint32_t first, count;  // count 0: empty
   };
 
-  Region push(std::span<const SightlineRef> sides);
+  Region push(const SightlineTable& table, std::span<const SightlineRef> sides);
   /// The part of a region on the inner side of a line, on top of the stack. The very region where nothing is cut off;
   /// empty where no interior is left.
   Region clip(SightlineTable& table, Region region, SightlineRef line);
-  std::span<const SightlineRef> sides(Region r) const { return std::span(stack_).subspan(r.first, r.count); }
+  std::span<const RegionSide> sides(Region r) const { return std::span(stack_).subspan(r.first, r.count); }
 
   std::uint32_t mark() const { return static_cast<std::uint32_t>(stack_.size()); }
   void release(std::uint32_t mark) { stack_.resize(mark); }
 
  private:
-  std::vector<SightlineRef> stack_;
+  std::vector<RegionSide> stack_;
   std::vector<std::int8_t> sign_;
 };
 

@@ -19,7 +19,7 @@ struct Topology {
   std::vector<FaceId> faces;
   std::vector<std::uint32_t> first_side;  // by face
   std::vector<FaceSide> sides;
-  std::vector<FaceId> outer;              // faces of the box
+  std::vector<FaceId> outer;  // faces of the box
 
   std::span<const FaceId> faces_of(CellId c) const {
     return std::span(faces).subspan(first_face[c], first_face[c + 1] - first_face[c]);

@@ -72,8 +72,7 @@ bool Tracer::State::opaque(FaceId f, Sign eye_side) const {
 void Tracer::State::fragment(Regions::Region region, const Face* face) {
   Fragment f{static_cast<std::uint32_t>(fragments.sides.size()), region.count,
              static_cast<std::uint32_t>(fragments.seen.size()), 0};
-  const auto sides = regions.sides(region);
-  fragments.sides.insert(fragments.sides.end(), sides.begin(), sides.end());
+  for (const RegionSide& side : regions.sides(region)) fragments.sides.push_back(side.line);
   if (face) {
     const auto on = complex.surfaces_on(*face);
     if (scene.options().one_sided) {
@@ -183,7 +182,8 @@ void Tracer::State::enter_from_outside(Regions::Region region) {
       for (int high = 0; high < 4; ++high) {
         const int a = high & 1, b = high >> 1;
         if (!seen[k][a] || seen[j][b]) continue;
-        // n = P(eye) n_q - Q(eye) n_p; for x in plane p it has the sign of P(eye) Q(x), and the box lies on Q's inner side.
+        // n = P(eye) n_q - Q(eye) n_p; for x in plane p it has the sign of P(eye) Q(x), and the box lies on Q's inner
+        // side.
         SightlineRef line = table.of_planes(plane[k][a], plane[j][b]);
         line.sign *= (a ? 1 : -1) * (b ? -1 : 1);
         const Regions::Region past = regions.clip(table, region, -line);
@@ -252,11 +252,10 @@ void Tracer::trace(const Camera& camera, VisibilityMap& map, TraceStats* stats) 
     s.begin(camera.eye);
     // Counter-clockwise as an ordinary camera sees it; a mirrored one has its right side on the eye's left.
     const bool mirrored = window.handedness() < 0;
-    const SightlineRef sides[] = {window.side(s.table, Window::bottom),
-                                  window.side(s.table, mirrored ? Window::left : Window::right),
-                                  window.side(s.table, Window::top),
-                                  window.side(s.table, mirrored ? Window::right : Window::left)};
-    s.view(s.regions.push(sides));
+    const SightlineRef sides[] = {
+        window.side(s.table, Window::bottom), window.side(s.table, mirrored ? Window::left : Window::right),
+        window.side(s.table, Window::top), window.side(s.table, mirrored ? Window::right : Window::left)};
+    s.view(s.regions.push(s.table, sides));
     s.stitcher.stitch(s.scene, camera, s.table, s.fragments, map);
   });
   if (stats) {
@@ -282,7 +281,7 @@ void Tracer::trace_sphere(const glm::dvec3& eye, VisibilityMap& map, TraceStats*
       // x, z, y run counter-clockwise around the octant of the positive axes; each mirroring turns that round.
       const bool even = octant == 0 || octant == 3 || octant == 5 || octant == 6;
       const SightlineRef around[] = {side[0], even ? side[2] : side[1], even ? side[1] : side[2]};
-      s.view(s.regions.push(around));
+      s.view(s.regions.push(s.table, around));
       s.regions.release(0);
     }
     s.stitcher.stitch_sphere(s.scene, eye, s.table, s.fragments, map);

@@ -43,11 +43,13 @@ class Builder {
         labeller_(scene, complex, splitter_),
         pieces_(scene, complex.planes),
         chooser_(scene, complex.planes, pieces_, weights) {
+    box_.low = complex.vertices.front().place.approx;
+    box_.high = complex.vertices[7].place.approx;
     for (SurfaceId s = 0; s < scene.surfaces().size(); ++s) waiting_.push_back(pieces_.whole(s));
   }
 
   void run() {
-    tasks_.push_back({0, 0});
+    tasks_.push_back({0, 0, box_});
     while (!tasks_.empty()) {
       const Task task = tasks_.back();
       tasks_.pop_back();
@@ -60,6 +62,7 @@ class Builder {
   struct Task {
     CellId cell;
     std::size_t first;  // its pieces are waiting_[first ..] when its turn comes
+    Bounds bounds;
   };
 
   void cut(const Task& task) {
@@ -68,7 +71,7 @@ class Builder {
     waiting_.erase(begin, waiting_.end());
     PlaneId plane = none;
     for (const bool free_space : {true, false}) {
-      const Choice choice = chooser_.choose(here_, free_space);
+      const Choice choice = chooser_.choose(here_, task.bounds, free_space);
       plane = choice.plane != none ? choice.plane : c_.planes.add_axis(choice.axis, choice.value).id;
       distribute(plane);
       // A cut in free space that parts nothing would not bring the end nearer.
@@ -76,9 +79,15 @@ class Builder {
     }
     const Splitter::CellCut cut = splitter_.cut_cell(task.cell, plane);
     labeller_.label(cut.face, on_, pieces_);
-    tasks_.push_back({task.cell, waiting_.size()});
+    Task behind{task.cell, waiting_.size(), task.bounds}, front{cut.front, 0, task.bounds};
+    if (const int axis = c_.planes.axis(plane); axis >= 0) {
+      const ApproxPlane& p = c_.planes.approx(plane);
+      behind.bounds.high[axis] = front.bounds.low[axis] = p.d / p.n[axis];
+    }
+    tasks_.push_back(behind);
     waiting_.insert(waiting_.end(), behind_.begin(), behind_.end());
-    tasks_.push_back({cut.front, waiting_.size()});
+    front.first = waiting_.size();
+    tasks_.push_back(front);
     waiting_.insert(waiting_.end(), front_.begin(), front_.end());
   }
 
@@ -88,9 +97,15 @@ class Builder {
     front_.clear();
     for (const Piece& piece : here_) {
       switch (pieces_.sides(piece, plane)) {
-        case 0: on_.push_back(piece); break;
-        case 1: behind_.push_back(piece); break;
-        case 2: front_.push_back(piece); break;
+        case 0:
+          on_.push_back(piece);
+          break;
+        case 1:
+          behind_.push_back(piece);
+          break;
+        case 2:
+          front_.push_back(piece);
+          break;
         default: {
           Piece halves[2];
           pieces_.split(piece, plane, halves[0], halves[1]);
@@ -110,6 +125,7 @@ class Builder {
   std::vector<Piece> waiting_;  // pieces of all tasks, those of the next one last
   std::vector<Task> tasks_;
   std::vector<Piece> here_, on_, behind_, front_;
+  Bounds box_;
   std::uint32_t splits_ = 0;
 };
 

@@ -11,9 +11,9 @@ struct BuildOptions {
 };
 
 struct BuildStats {
-  double seconds = 0;       // from the scene in memory to the complex
-  std::size_t bytes = 0;    // of the complex
-  std::uint32_t splits = 0; // pieces of surfaces cut by planes
+  double seconds = 0;        // from the scene in memory to the complex
+  std::size_t bytes = 0;     // of the complex
+  std::uint32_t splits = 0;  // pieces of surfaces cut by planes
 };
 
 /// Binary space partition of the scene's enlarged bounding box (Funkhouser 1999, section 3): cells convex, every face

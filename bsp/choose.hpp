@@ -12,14 +12,20 @@ struct Choice {
   Integer value;
 };
 
-/// Naylor's expected-case view in small: planes of pieces that hide much, cut little and balance; above a size also
-/// cuts in free space. Heuristic throughout: whatever it answers, the complex is right.
+/// The box of a cell or a little more, unit coordinates, rounded.
+struct Bounds {
+  glm::dvec3 low, high;
+};
+
+/// Naylor's expected-case view: planes of pieces that hide much, cut little, and leave few pieces where many sightlines
+/// go (a side is met in proportion to its surface); above a size also cuts in free space. Heuristic throughout:
+/// whatever it answers, the complex is right.
 class Chooser {
  public:
   Chooser(const Scene& scene, const PlaneTable& planes, const Pieces& pieces, const ChoiceWeights& weights)
       : scene_(scene), planes_(planes), pieces_(pieces), weights_(weights) {}
-  /// `pieces` is not empty. With `free_space` false only planes of pieces are considered.
-  Choice choose(std::span<const Piece> pieces, bool free_space);
+  /// `pieces` is not empty; `cell` bounds their cell. With `free_space` false only planes of pieces are considered.
+  Choice choose(std::span<const Piece> pieces, const Bounds& cell, bool free_space);
 
  private:
   struct Candidate {
@@ -27,11 +33,13 @@ class Chooser {
     double area;
   };
   struct Count {
-    double behind = 0, front = 0, split = 0, covered = 0;
+    double behind = 0, front = 0, on = 0;
+    double split = 0;    // those a hair beside the plane, which rounding may have put on both sides, included
+    double covered = 0;  // area of those on the plane
   };
   Count count_plane(std::span<const Piece> pieces, PlaneId plane) const;
-  Count count_axis(std::span<const Piece> pieces, int axis, double value) const;
-  double cost(const Count& count, double total, double section, bool along_axis) const;
+  Count count_axis(std::span<const Piece> pieces, PlaneId plane, int axis, double value) const;
+  double cost(const Count& count, std::size_t total, const Bounds& cell, const double n[3], double d) const;
   double area(const Piece& piece) const;
 
   const Scene& scene_;

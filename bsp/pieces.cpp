@@ -66,8 +66,12 @@ void Pieces::split(const Piece& piece, PlaneId plane, Piece& behind, Piece& fron
   }
   Piece* const out[2] = {&behind, &front};
   for (int h = 0; h < 2; ++h) {
-    *out[h] = {piece.surface, piece.plane, static_cast<std::uint32_t>(corners_.size()),
-               static_cast<std::uint32_t>(halves_[h].size()), {}, {}};
+    *out[h] = {piece.surface,
+               piece.plane,
+               static_cast<std::uint32_t>(corners_.size()),
+               static_cast<std::uint32_t>(halves_[h].size()),
+               {},
+               {}};
     corners_.insert(corners_.end(), halves_[h].begin(), halves_[h].end());
     bound(*out[h]);
   }

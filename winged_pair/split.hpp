@@ -64,7 +64,7 @@ class Splitter {
   std::vector<FaceId> faces_;
   std::vector<EdgeId> edges_;
   std::vector<PairId> ring_, rim_;
-  std::vector<PairId> rim_at_;     // by vertex: the rim pair that starts there
+  std::vector<PairId> rim_at_;  // by vertex: the rim pair that starts there
 };
 
 }  // namespace sightline

@@ -10,7 +10,9 @@ inline CellId cell_across(const Complex& c, FaceId f, CellId from) {
 }
 /// The vertex at which the pair's edge starts / ends when its face is walked counter-clockwise (seen from its front).
 inline VertexId pair_tail(const Complex& c, PairId p) { return c.edges[c.pairs[p].edge].vertex[c.pairs[p].direction]; }
-inline VertexId pair_head(const Complex& c, PairId p) { return c.edges[c.pairs[p].edge].vertex[1 - c.pairs[p].direction]; }
+inline VertexId pair_head(const Complex& c, PairId p) {
+  return c.edges[c.pairs[p].edge].vertex[1 - c.pairs[p].direction];
+}
 /// The cell between a pair and its spin[1].
 inline CellId cell_after(const Complex& c, PairId p) { return c.faces[c.pairs[p].face].cell[1 - c.pairs[p].direction]; }
 /// The pair of the other face of `cell` at the same edge: across the edge on the cell's boundary.

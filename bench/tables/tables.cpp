@@ -1,8 +1,8 @@
 // The paper's two tables on our models or on files: what the complex costs, what the maps cost.
-#include <algorithm>
-#include <CLI/CLI.hpp>
-#include <cstdio>
 #include <sys/resource.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 
 #include "beam/trace.hpp"
 #include "bsp/build.hpp"
@@ -61,20 +61,22 @@ void print_tally(const Tally& t) {
   std::printf("\n");
 }
 
-void run(Subject& subject, bool prove, bool decisions) {
+void run(Subject& subject, const BuildOptions& how, bool prove, bool decisions) {
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = make_scene(subject.soup);
   const double read = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const Tally before = tally_total();
   BuildStats built;
-  const Complex complex = build(scene, {}, &built);
+  const Complex complex = build(scene, how, &built);
   const double n = scene.polygon_count();
-  std::printf("%-14s | %.0f | %zu | %zu | %zu | %zu | %.3f | cells %.2f, faces %.2f a polygon | %.1f MB, peak %.0f MB | scene %.3f s, "
-              "splits %u, bits %d\n",
-              subject.name.c_str(), n, complex.cells.size(), complex.faces.size(), complex.edges.size(),
-              complex.vertices.size(), built.seconds, static_cast<double>(complex.cells.size()) / n,
-              static_cast<double>(complex.faces.size()) / n, static_cast<double>(built.bytes) / 1e6, peak_megabytes(),
-              read, built.splits, scene.grid().bits());
+  std::printf(
+      "%-14s | %.0f | %zu | %zu | %zu | %zu | %.3f | cells %.2f, faces %.2f a polygon | %.1f MB, peak %.0f MB | scene "
+      "%.3f s, "
+      "splits %u, bits %d\n",
+      subject.name.c_str(), n, complex.cells.size(), complex.faces.size(), complex.edges.size(),
+      complex.vertices.size(), built.seconds, static_cast<double>(complex.cells.size()) / n,
+      static_cast<double>(complex.faces.size()) / n, static_cast<double>(built.bytes) / 1e6, peak_megabytes(), read,
+      built.splits, scene.grid().bits());
   const Tally after = tally_total();
   if (decisions) print_tally(after - before);
   if (prove) {
@@ -112,27 +114,34 @@ int main(int argc, char** argv) {
   std::vector<std::string> names;
   ModelOptions options;
   std::string scene_file, camera_file;
+  BuildOptions how;
   bool prove = false, decisions = false;
   app.add_option("models", names, "models; default: the paper's six");
   app.add_option("--polygons", options.polygons);
   app.add_option("--rotate", options.rotate_degrees);
   app.add_option("--scene", scene_file);
   app.add_option("--cameras", camera_file);
+  app.add_option("--split", how.weights.split, "weights of the choice of cuts: see bsp/weights.hpp");
+  app.add_option("--area", how.weights.area);
+  app.add_option("--cover", how.weights.cover);
+  app.add_option("--axis", how.weights.axis);
   app.add_flag("--check", prove, "prove each complex (slow)");
   app.add_flag("--decisions", decisions, "count decisions by stage");
   CLI11_PARSE(app, argc, argv);
   if (scene_file.empty() && names.empty()) names = {"rooms", "maze", "arena", "city", "floor", "building"};
   std::printf("model | polygons | cells | faces | edges | vertices | seconds\n");
-  std::printf("model | polygons | beams min | avg | max | faces min | avg | max | edges min | avg | max | ms min | avg | max\n");
+  std::printf(
+      "model | polygons | beams min | avg | max | faces min | avg | max | edges min | avg | max | ms min | avg | "
+      "max\n");
   try {
     for (const std::string& name : names) {
       Subject s = of_model(name, options);
-      run(s, prove, decisions);
+      run(s, how, prove, decisions);
     }
     if (!scene_file.empty()) {
       Subject s{scene_file, read_polygons(scene_file), {}};
       if (!camera_file.empty()) s.cameras = read_cameras(camera_file);
-      run(s, prove, decisions);
+      run(s, how, prove, decisions);
     }
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());

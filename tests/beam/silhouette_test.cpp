@@ -1,5 +1,5 @@
-// The paper's way to silhouettes, by `spin`, against the map's: an edge where two opaque faces meet is a silhouette just
-// when one of them is turned away from the eye.
+// The paper's way to silhouettes, by `spin`, against the map's: an edge where two opaque faces meet is a silhouette
+// just when one of them is turned away from the eye.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -29,8 +29,8 @@ PolygonSoup random_triangles(std::mt19937_64& random, int count, int range) {
 }
 
 Camera looking(const glm::dvec3& eye, const glm::dvec3& forward) {
-  return make_camera(eye, forward, std::abs(forward.z) > std::abs(forward.x) ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 0, 1},
-                     70, 1.25);
+  return make_camera(eye, forward,
+                     std::abs(forward.z) > std::abs(forward.x) ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 0, 1}, 70, 1.25);
 }
 
 std::string trace_json(const Scene& scene, const Complex& complex, const Camera& camera) {
@@ -53,7 +53,7 @@ double total_angle(const VisibilityMap& map) {
 }
 
 const BuildOptions other_cuts{{0.5, 0.1, 4.0, 0.0}};
-const BuildOptions balanced_cuts{{0.0, 5.0, 0.0, 3.0}};
+const BuildOptions many_splits{{0.0, 5.0, 0.0, 3.0}};
 
 // The map follows from the drawing alone: another complex of the same scene gives the same bytes. Eyes are put where
 // everything degenerates: on vertices, on edges, in planes.
@@ -61,7 +61,7 @@ TEST(Trace, SameBytesFromEveryComplex) {
   std::mt19937_64 random(11);
   for (int round = 0; round < 40; ++round) {
     const Scene scene = make_scene(random_triangles(random, 3 + static_cast<int>(random() % 7), 2 + round % 4));
-    const Complex one = build(scene), two = build(scene, other_cuts), three = build(scene, balanced_cuts);
+    const Complex one = build(scene), two = build(scene, other_cuts), three = build(scene, many_splits);
     const auto& v = scene.soup().vertices;
     const glm::dvec3 a = v[random() % v.size()], b = v[random() % v.size()], c = v[random() % v.size()];
     const glm::dvec3 eyes[] = {a, (a + b) * 0.5, (a + b + c) * 0.25, {0.5, 0.25, 0.125}, {40, 30, 20}};

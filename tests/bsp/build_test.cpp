@@ -70,26 +70,31 @@ TEST(Build, NamesTheEdgesOfPolygons) {
 }
 
 TEST(Build, InterpenetratingTriangles) {
-  expect_right(soup_of({{{-2, 0, -1}, {2, 0, -1}, {0, 0, 3}}, {{0, -2, -1}, {0, 2, -1}, {0, 0, 2}},
+  expect_right(soup_of({{{-2, 0, -1}, {2, 0, -1}, {0, 0, 3}},
+                        {{0, -2, -1}, {0, 2, -1}, {0, 0, 2}},
                         {{-2, -1, 0}, {2, -1, 0.5}, {0, 3, 0.25}}}),
                "three through each other");
 }
 
 TEST(Build, CyclicOverlap) {
-  expect_right(soup_of({{{0, 0, 0}, {4, 1, 2}, {0, 1, 0}}, {{4, 0, 0}, {4, 4, 2}, {3, 4, 0}}, {{4, 4, 0}, {0, 3, 2}, {0, 4, 0}}}),
-               "cycle");
+  expect_right(
+      soup_of(
+          {{{0, 0, 0}, {4, 1, 2}, {0, 1, 0}}, {{4, 0, 0}, {4, 4, 2}, {3, 4, 0}}, {{4, 4, 0}, {0, 3, 2}, {0, 4, 0}}}),
+      "cycle");
 }
 
 TEST(Build, NearlyCoplanarByOneUlp) {
   const double z = std::nextafter(1.0, 2.0);
-  expect_right(soup_of({{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0.25, 0.25, 1}, {0.75, 0.25, z}, {0.5, 0.75, 1}},
+  expect_right(soup_of({{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+                        {{0.25, 0.25, 1}, {0.75, 0.25, z}, {0.5, 0.75, 1}},
                         {{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}}}),
                "one ulp apart");
 }
 
 TEST(Build, NonConvexAndNonPlanarPolygons) {
-  expect_right(soup_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}}, {{0, 0, 1}, {1, 0, 2}, {1, 1, 1}, {0, 1, 2}}}),
-               "arrow and saddle");
+  expect_right(
+      soup_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}}, {{0, 0, 1}, {1, 0, 2}, {1, 1, 1}, {0, 1, 2}}}),
+      "arrow and saddle");
 }
 
 TEST(Build, ManyThroughOnePoint) {
@@ -106,7 +111,9 @@ TEST(Build, RandomSmallScenes) {
   for (int round = 0; round < 60; ++round) {
     std::vector<Points> polygons;
     const auto range = static_cast<int>(2 + random() % 6);
-    const auto coordinate = [&] { return static_cast<double>(random() % static_cast<unsigned>(2 * range + 1)) - range; };
+    const auto coordinate = [&] {
+      return static_cast<double>(random() % static_cast<unsigned>(2 * range + 1)) - range;
+    };
     for (int k = 0, n = 3 + static_cast<int>(random() % 8); k < n; ++k) {
       polygons.push_back({{coordinate(), coordinate(), coordinate()},
                           {coordinate(), coordinate(), coordinate()},
