@@ -45,8 +45,8 @@ Shown shown_by(const State& s, std::uint32_t fragment) {
 
 }  // namespace
 
-bool name_less(const State& s, NameKey a, NameKey b) {
-  if (a == no_name || b == no_name || (a & b & plane_key) == 0) return a < b;
+bool plane_name_less(const State& s, NameKey a, NameKey b) {
+  if (a == no_name || b == no_name) return a < b;
   return line_less(s.plane_names[a ^ plane_key], s.plane_names[b ^ plane_key]);
 }
 

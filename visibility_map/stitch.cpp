@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace sightline {
 
-struct Stitcher::Work : stitching::State {};
+struct Stitcher::Work : stitching::State {
+  std::optional<Window> own_window;
+  Camera own_camera;
+};
 
 Stitcher::Stitcher() : work_(std::make_unique<Work>()) {}
 Stitcher::~Stitcher() = default;
@@ -49,20 +53,31 @@ void run(stitching::State& s, VisibilityMap& map) {
 void Stitcher::stitch(const Scene& scene, const Camera& camera, SightlineTable& table, const Fragments& fragments,
                       VisibilityMap& map) {
   Work& s = *work_;
+  if (!s.own_window || !same_window(s.own_camera, camera)) {
+    s.own_window.emplace(camera.forward, camera.right, camera.up);
+    s.own_camera = camera;
+  }
+  const Window& w = *s.own_window;
+  stitch(scene, camera, w,
+         {w.side(table, Window::left), w.side(table, Window::right), w.side(table, Window::bottom),
+          w.side(table, Window::top)},
+         table, fragments, map);
+}
+
+void Stitcher::stitch(const Scene& scene, const Camera& camera, const Window& window,
+                      const std::array<SightlineRef, 4>& border, SightlineTable& table, const Fragments& fragments,
+                      VisibilityMap& map) {
+  Work& s = *work_;
   s.scene = &scene;
   s.camera = &camera;
+  s.window = &window;
   s.table = &table;
   s.fragments = &fragments;
-  if (!s.window || !same_window(s.window_camera, camera)) {
-    s.window.emplace(camera.forward, camera.right, camera.up);
-    s.window_camera = camera;
-  }
-  s.handedness = s.window->handedness();
-  for (const Window::Side side : {Window::left, Window::right, Window::bottom, Window::top}) {
-    s.border[side] = s.window->side(table, side);
-  }
+  s.handedness = window.handedness();
+  std::copy(border.begin(), border.end(), s.border);
   const glm::dvec3& f = camera.forward;
   s.ahead = f / std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
+  set_axes(s);
   map.camera = camera;
   map.sphere = false;
   run(s, map);

@@ -4,9 +4,16 @@
 #include "visibility_map/fragment.hpp"
 #include "visibility_map/map.hpp"
 
+#include <array>
+#include <memory>
+
 namespace sightline {
 
-/// Buffers that a sequence of maps reuses.
+/// Makes maps, one after the other; keeps its buffers, so that nothing is allocated once they have grown. The map is
+/// the canonical one of docs/map.md. Its laws: it does not depend on how the fragments cut up the faces, nor on their
+/// order; the areas of a window's faces sum to 1, the solid angles of a sphere's to 4 pi; a mirrored camera gives the
+/// map of the camera it mirrors with s replaced by 1 - s. Throws std::logic_error where the fragments overlap, leave a
+/// gap or are not of this scene. Not for two threads at once.
 class Stitcher {
  public:
   Stitcher();
@@ -17,6 +24,9 @@ class Stitcher {
   /// The map of fragments that tile the camera's window. `table` holds their sightlines and the camera's eye.
   void stitch(const Scene& scene, const Camera& camera, SightlineTable& table, const Fragments& fragments,
               VisibilityMap& map);
+  /// The same for a tracer that has made the camera's window and its four sides (by Window::Side) already.
+  void stitch(const Scene& scene, const Camera& camera, const Window& window, const std::array<SightlineRef, 4>& border,
+              SightlineTable& table, const Fragments& fragments, VisibilityMap& map);
   /// The map of fragments that tile the sphere of directions.
   void stitch_sphere(const Scene& scene, const glm::dvec3& eye, SightlineTable& table, const Fragments& fragments,
                      VisibilityMap& map);

@@ -9,29 +9,10 @@
 namespace sightline::stitching {
 namespace {
 
-Twofold sum(double a, double b) {
-  const double s = a + b, t = s - a;
-  return {s, (a - (s - t)) + (b - t)};
-}
-Twofold product(double a, double b) {  // exact (Dekker): both factors split into halves of 26 bits
-  const double p = a * b;
-  const auto split = [](double x) {
-    const double c = 134217729.0 * x, high = c - (c - x);
-    return Twofold{high, x - high};
-  };
-  const Twofold x = split(a), y = split(b);
-  return {p, ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low};
-}
-Twofold add(const Twofold& a, const Twofold& b) {
-  const Twofold high = sum(a.high, b.high);
-  return sum(high.high, high.low + (a.low + b.low));
-}
-Twofold negative(const Twofold& a) { return {-a.high, -a.low}; }
-
 /// Twice the area that the edge adds to the face on its left: the cross product of its ends, good to 2^-100, so that
 /// tiny faces need no origin of their own.
 Twofold twice_area(const MapVertex& a, const MapVertex& b) {
-  return add(product(a.st.x, b.st.y), negative(product(a.st.y, b.st.x)));
+  return two_product(a.st.x, b.st.y) - two_product(a.st.y, b.st.x);
 }
 
 /// The signed solid angle of the triangle of unit rays r, a, b (Van Oosterom and Strackee 1983): in (-2 pi, 2 pi), up
@@ -74,7 +55,7 @@ Measures measure_loop(const State& s, std::uint32_t start) {
   std::uint32_t h = start;
   do {
     const bool forwards = h % 2 == 0;
-    m.area = add(m.area, forwards ? s.edge_area[h / 2] : negative(s.edge_area[h / 2]));
+    m.area = m.area + (forwards ? s.edge_area[h / 2] : -s.edge_area[h / 2]);
     m.angle += forwards ? s.edge_angle[h / 2] : -s.edge_angle[h / 2];
     h = s.next[h];
   } while (h != start);
@@ -131,7 +112,7 @@ void measure(State& s, VisibilityMap& map) {
     Twofold area;
     double angle = 0;
     for (const LoopDraft& loop : loops) {
-      area = add(area, loop.area);
+      area = area + loop.area;
       angle += loop.angle;
       std::uint32_t h = loop.start;
       do {

@@ -1,67 +1,73 @@
 // Where a vertex is seen, rounded once.
 #include "visibility_map/stitch_state.hpp"
+#include "visibility_map/stitch_twofold.hpp"
 
 #include <algorithm>
 #include <bit>
-#include <cfloat>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 namespace sightline::stitching {
 namespace {
 
-using Long = long double;
-constexpr Long epsilon = LDBL_EPSILON / 2;  // unit roundoff; 2^-64 on x86. Where it is 2^-53, the exact path answers.
-
-struct Long3 {
-  Long x, y, z;
-  Long largest() const { return std::max({std::abs(x), std::abs(y), std::abs(z)}); }
-};
-Long3 cross(const Long3& a, const Long3& b) {
+Twofold3 cross(const Twofold3& a, const Twofold3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-Long dot(const Long3& a, const Long3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-/// Two's complement words, most significant first: each step after the first that is not exact rounds once, and the
-/// errors of the earlier ones are relative to it: within 2 epsilon of the whole.
-Long from_words(const std::uint64_t* words, std::uint32_t count) {
-  Long value = static_cast<Long>(static_cast<std::int64_t>(words[count - 1]));
-  for (std::uint32_t k = count - 1; k-- > 0;) value = value * 0x1p64L + static_cast<Long>(words[k]);
-  return value;
+Twofold dot(const Twofold3& a, const Twofold3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Twofold3 exact_cross(const glm::dvec3& a, const glm::dvec3& b) {
+  return cross({{a.x, 0}, {a.y, 0}, {a.z, 0}}, {{b.x, 0}, {b.y, 0}, {b.z, 0}});
 }
-Long3 normal(const SightlineTable& table, SightlineId id) {
-  const std::uint32_t count = words_for(table.bits(id));
+
+/// Two's complement words times 2^-bits, |.| <= 1, rounded down to a multiple of 2^-106.
+Twofold from_words(const std::uint64_t* words, std::uint32_t count, std::uint32_t bits) {
+  // The words at and above bit `bits - 106`, as one number of at most 107 bits and a sign.
+  const int low = static_cast<int>(bits) - 106;
+  const auto word = [&](int k) -> std::uint64_t {
+    if (k < 0) return 0;
+    if (k >= static_cast<int>(count)) return words[count - 1] >> 63 ? ~std::uint64_t{0} : 0;
+    return words[k];
+  };
+  const int first = low >> 6, shift = low & 63;
+  std::uint64_t part[2];
+  for (int k = 0; k < 2; ++k) {
+    part[k] = word(first + k) >> shift;
+    if (shift != 0) part[k] |= word(first + k + 1) << (64 - shift);
+  }
+  // Upper and lower part of 53 bits; the upper one keeps the sign.
+  const auto upper = static_cast<std::int64_t>(part[1] << 11 | part[0] >> 53);
+  const std::uint64_t lower = part[0] & ((std::uint64_t{1} << 53) - 1);
+  return two_sum(static_cast<double>(upper) * 0x1p-53, static_cast<double>(lower) * 0x1p-106);
+}
+Twofold3 normal(const SightlineTable& table, SightlineId id) {
+  const std::uint32_t bits = table.bits(id), count = words_for(bits);
   const std::uint64_t* w = table.words(id);
-  return {from_words(w, count), from_words(w + count, count), from_words(w + 2 * count, count)};
+  return {from_words(w, count, bits), from_words(w + count, count, bits), from_words(w + 2 * count, count, bits)};
 }
 
 /// The double nearest to 1/2 + q, q within `error`; NaN where that leaves a choice.
-double nearest(Long q, Long error) {
-  const Long value = 0.5L + q;
-  const auto rounded = static_cast<double>(value);
-  if (!(rounded > 0x1p-60 && rounded < 2)) return NAN;
-  const double below = std::bit_cast<double>(std::bit_cast<std::uint64_t>(rounded) - 1);
-  const Long room = (static_cast<Long>(rounded) - static_cast<Long>(below)) / 2;
-  return std::abs(value - static_cast<Long>(rounded)) + error + 2 * epsilon < room ? rounded : NAN;
+double nearest(const Twofold& q, double error) {
+  const Twofold half = two_sum(0.5, q.high);
+  const Twofold value = fast_sum(half.high, half.low + q.low);
+  if (!(value.high > 0x1p-40 && value.high < 2)) return NAN;
+  const double below = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value.high) - 1);
+  return std::abs(value.low) + error + 0x1p-104 < (value.high - below) / 2 ? value.high : NAN;
 }
 
 /// x = n_a x n_b is l (f + (s - 1/2) r + (t - 1/2) up): its products with r x up, up x f and f x r are in the ratio
 /// 1 : s - 1/2 : t - 1/2.
-/// With M the product of the largest components of n_a and n_b: x is at most 2 M, within 2 (2 2) + 4 = 12 eps M. The
-/// vectors multiplied with are at most D = twice the product of the largest components of their factors, within 2 eps
-/// D. A product is within 3 (12 + 2 2) eps M D (data) + (6 + 10) eps M D (rounding) = 64 eps M D.
+/// With v = 2^-106: normals are at most 1, within v. x is at most 2, within 2 (2 + 8) + 16 < 48 v. The vectors
+/// multiplied with are at most D = twice the product of the largest components of their factors, within 32 v D. A
+/// product is within 3 (48 + 2 32 + 16) v D (terms) + 8 (2 + 4 + 2 + 2) v D (sums) < 2^9 v D = 2^-97 D.
 glm::dvec2 filter_st(const State& s, SightlineId a, SightlineId b) {
-  const auto load = [](const glm::dvec3& v) { return Long3{v.x, v.y, v.z}; };
-  const Long3 f = load(s.camera->forward), r = load(s.camera->right), up = load(s.camera->up);
-  const Long3 na = normal(*s.table, a), nb = normal(*s.table, b), x = cross(na, nb);
-  const Long unit = 64 * epsilon * na.largest() * nb.largest();
-  const Long depth = dot(x, cross(r, up)), depth_error = unit * 2 * r.largest() * up.largest();
-  if (!(std::abs(depth) > 2 * depth_error)) return {NAN, NAN};
-  const auto coordinate = [&](const Long3& v, const Long3& w) {
-    const Long q = dot(x, cross(v, w)) / depth, error = unit * 2 * v.largest() * w.largest();
-    return nearest(q, 2 * (error + std::abs(q) * depth_error) / std::abs(depth) + 2 * epsilon * std::abs(q));
+  const Twofold3 x = cross(normal(*s.table, a), normal(*s.table, b));
+  const Twofold depth = dot(x, s.axes[0].vector);
+  if (!(std::abs(depth.high) > 2 * s.axes[0].error)) return {NAN, NAN};
+  const auto coordinate = [&](const Axis& axis) {
+    const Twofold q = dot(x, axis.vector) / depth;
+    const double size = std::abs(q.high);
+    return nearest(q, 4 * (axis.error + size * s.axes[0].error) / std::abs(depth.high) + 0x1p-100 * size);
   };
-  return {coordinate(up, f), coordinate(f, r)};
+  return {coordinate(s.axes[1]), coordinate(s.axes[2])};
 }
 
 std::array<Integer, 3> exact_ray(const State& s, CornerId c) {
@@ -86,6 +92,17 @@ std::array<mpq_class, 2> exact_st(const State& s, CornerId c) {
 }
 
 }  // namespace
+
+void set_axes(State& s) {
+  const auto largest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  const auto axis = [&](const glm::dvec3& v, const glm::dvec3& w) {
+    return Axis{exact_cross(v, w), 0x1p-96 * largest(v) * largest(w)};
+  };
+  const Camera& c = *s.camera;
+  s.axes[0] = axis(c.right, c.up);
+  s.axes[1] = axis(c.up, c.forward);
+  s.axes[2] = axis(c.forward, c.right);
+}
 
 void place_vertex(const State& s, VertexDraft& vertex) {
   const Corner& corner = s.corners[vertex.corner];

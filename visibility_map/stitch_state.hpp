@@ -6,8 +6,8 @@
 
 #include "visibility_map/fragment.hpp"
 #include "visibility_map/map.hpp"
+#include "visibility_map/stitch_twofold.hpp"
 
-#include <optional>
 #include <stdexcept>
 
 namespace sightline::stitching {
@@ -93,9 +93,13 @@ struct VertexDraft {
   glm::dvec3 direction;
 };
 
-/// Sum of two doubles that do not overlap.
-struct Twofold {
-  double high = 0, low = 0;
+struct Twofold3 {
+  Twofold x, y, z;
+};
+/// A vector that products with rays are taken with, and how far they may be off (see stitch_place.cpp).
+struct Axis {
+  Twofold3 vector;
+  double error;
 };
 struct LoopDraft {
   std::uint32_t start;  // half-edge
@@ -110,13 +114,13 @@ struct State {
   SightlineTable* table = nullptr;
   const Fragments* fragments = nullptr;
   const Camera* camera = nullptr;  // null: the sphere
-  std::optional<Window> window;
-  Camera window_camera;
+  const Window* window = nullptr;
   Sign handedness = 1;
   SightlineRef border[4];
   glm::dvec3 eye{};    // unit coordinates, each within 2^-52 * scale
   double scale = 1;    // max(1, largest unit coordinate of the eye)
   glm::dvec3 ahead{};  // forward, scaled to largest component 1; zero for the sphere
+  Axis axes[3];        // right x up, up x forward, forward x right
 
   // Fragments.
   std::vector<PolygonId> polygon_of;  // what a fragment shows; none: nothing
@@ -190,6 +194,8 @@ void name_scene_vertices(State& s, VisibilityMap& map);
 /// Does the loop of this half-edge run clockwise in (s,t)? Exactly.
 bool runs_clockwise(State& s, const VisibilityMap& map, std::uint32_t start);
 
+/// Prepares place_vertex for the camera.
+void set_axes(State& s);
 /// Where a corner is seen: (s,t), each the nearest double, or on the sphere the unit direction, rounded from exact
 /// numbers: either depends on the ray alone.
 void place_vertex(const State& s, VertexDraft& vertex);
@@ -221,7 +227,10 @@ void find_carriers(State& s, const Stretch& stretch, const Shown& shown, bool di
 NameKey best_name(const std::vector<Carrier>& carriers);
 /// The name of the line of two planes, each given by a polygon that lies in it.
 NameKey planes_name(State& s, Shown a, Shown b);
-bool name_less(const State& s, NameKey a, NameKey b);
+bool plane_name_less(const State& s, NameKey a, NameKey b);
+inline bool name_less(const State& s, NameKey a, NameKey b) {
+  return (a & b & plane_key) == 0 ? a < b : plane_name_less(s, a, b);
+}
 /// A second line for the vertex between the collinear parts a and b, where a ends and b begins.
 Mark find_mark(State& s, const Part& a, const Part& b);
 
