@@ -51,12 +51,13 @@ void validate(const PolygonSoup& soup) {
 /// Makes polygon after polygon into surfaces.
 class PolygonCutter {
  public:
-  PolygonCutter(PlaneTable& planes, std::span<const PointId> representative, SceneReport& report)
+  PolygonCutter(PlaneTable& planes, std::span<const PointId> representative, const PolygonSoup& soup,
+                SceneReport& report)
       : planes_(planes),
         points_(planes.points()),
         representative_(representative),
         report_(report),
-        list_(planes, representative) {}
+        list_(planes, representative, soup.first.size(), soup.corners.size()) {}
 
   /// True if the polygon is planar.
   bool add(PolygonId polygon, std::span<const std::uint32_t> corners) {
@@ -181,7 +182,7 @@ Scene make_scene(PolygonSoup soup, const SceneOptions& options) {
   const std::vector<PointId> representative = lowest_equal(*points);
   const auto polygons = static_cast<PolygonId>(soup.first.size() - 1);
 
-  PolygonCutter cutter(*planes, representative, scene.report_);
+  PolygonCutter cutter(*planes, representative, soup, scene.report_);
   std::vector<Surface>& surfaces = cutter.list().surfaces;
   scene.first_surface_.reserve(polygons + std::size_t{1});
   scene.planar_.reserve(polygons);

@@ -1,5 +1,6 @@
 #include "scene/surface_list.hpp"
 
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -13,8 +14,12 @@ int steepest_axis(const ApproxPlane& plane) {
   return axis;
 }
 
-SurfaceList::SurfaceList(PlaneTable& planes, std::span<const PointId> representative)
-    : planes_(planes), representative_(representative), walls_(1024) {}
+SurfaceList::SurfaceList(PlaneTable& planes, std::span<const PointId> representative, std::size_t surface_count,
+                         std::size_t edge_count)
+    : planes_(planes), representative_(representative), walls_(std::bit_ceil(2 * edge_count + 2)) {
+  surfaces.reserve(surface_count);
+  edges.reserve(edge_count);
+}
 
 void SurfaceList::add(PolygonId polygon, PlaneTable::Interned plane, std::span<const PointId> corners) {
   const ApproxPlane& approx = planes_.approx(plane.id);

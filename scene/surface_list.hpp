@@ -18,8 +18,10 @@ int steepest_axis(const ApproxPlane& plane);
 /// Builds Surface and SurfaceEdge lists; makes each wall once.
 class SurfaceList {
  public:
-  /// `representative`: of each point the lowest index of an equal point.
-  SurfaceList(PlaneTable& planes, std::span<const PointId> representative);
+  /// `representative`: of each point the lowest index of an equal point. The lists have room for this many surfaces and
+  /// edges at once, and grow beyond.
+  SurfaceList(PlaneTable& planes, std::span<const PointId> representative, std::size_t surface_count,
+              std::size_t edge_count);
 
   /// A convex piece of `polygon` with its corners in order. `flipped`: seen from the front of the plane they run
   /// clockwise.
