@@ -47,7 +47,7 @@ void check_face_records(const Complex& c, Faults& faults) {
     }
     if (face.cell[0] == face.cell[1]) faults.add("face ", f, ": the same cell on both sides");
     if (face.plane >= c.planes.size()) faults.add("face ", f, ": plane ", face.plane, " out of range");
-    if (face.label + 1 >= c.label_first.size()) faults.add("face ", f, ": label ", face.label, " out of range");
+    if (face.label >= c.label_first.size() - 1) faults.add("face ", f, ": label ", face.label, " out of range");
     if (face.pair >= c.pairs.size()) {
       faults.add("face ", f, ": pair ", face.pair, " out of range");
     } else if (c.pairs[face.pair].face != f) {
