@@ -207,6 +207,8 @@ Scene make_scene(PolygonSoup soup, const SceneOptions& options) {
     const PointId lowest = lowest_used[representative[v]];
     scene.lowest_twin_[v] = lowest == none ? v : lowest;
   }
+  std::erase(lowest_used, none);
+  scene.places_ = PlaceIndex(*points, lowest_used);
   scene.soup_ = std::make_shared<const PolygonSoup>(std::move(soup));
   scene.points_ = points;
   scene.planes_ = planes;

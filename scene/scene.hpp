@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exact/plane_table.hpp"
+#include "scene/place_index.hpp"
 
 #include <memory>
 #include <string>
@@ -82,6 +83,8 @@ class Scene {
   bool planar(PolygonId p) const { return planar_[p]; }
   /// The lowest index of a vertex that is used by a polygon of non-zero area and is the same point as v.
   PointId lowest_twin(PointId v) const { return lowest_twin_[v]; }
+  /// The places of vertices of polygons of non-zero area, each by the lowest of its vertices.
+  const PlaceIndex& places() const { return places_; }
 
  private:
   friend Scene make_scene(PolygonSoup soup, const SceneOptions& options);
@@ -95,6 +98,7 @@ class Scene {
   std::vector<std::uint32_t> first_surface_;
   std::vector<char> planar_;
   std::vector<PointId> lowest_twin_;
+  PlaceIndex places_;
 };
 
 /// Make a scene exact. Throws SceneError (below) naming vertex or polygon when a coordinate is not finite, an index is

@@ -28,21 +28,41 @@ void list_coincident(State& s, VisibilityMap& map) {
   }
 }
 
-/// The lowest scene vertex in the place of a corner of polygon p that is seen in the vertex and lies in the plane,
-/// which is that of the surface seen beside it: on one ray there is one point of the plane. Keeps `best` if there is
-/// none lower.
-void look_for_corner(State& s, const Corner& at, PolygonId p, PlaneId plane, PointId& best) {
-  const Scene& scene = *s.scene;
-  const glm::dvec3 &a = s.table->approx(at.low), &b = s.table->approx(at.high);
-  const double bound = 0x1p-47 * s.scale;  // as in find_carriers
-  for (const PointId corner : scene.corners(p)) {
-    const glm::dvec3 w = scene.points().approx(corner) - s.eye;
-    if (std::abs(glm::dot(a, w)) > bound || std::abs(glm::dot(b, w)) > bound) continue;
-    const PointId twin = scene.lowest_twin(corner);
-    if (twin >= best) continue;
-    if (s.table->side({at.low, 1}, corner) != 0 || s.table->side({at.high, 1}, corner) != 0) continue;
-    if (point_side(scene.planes(), corner, plane) == 0) best = twin;
-  }
+/// Where the ray of a corner meets a plane, in unit coordinates, with a radius that the true place is within.
+struct Place {
+  glm::dvec3 at;
+  double radius;
+};
+
+/// Unit lines' normals a, b carry 2^-53 a component, so the ray a x b, made unit, is within 2^-50 / |a x b|. The
+/// plane's numbers carry 2^-53 each and the eye 2^-52 of its size: its value at the eye is within 2^-49 of the eye's
+/// scale, its value along the ray within twice the ray's error. The place is eye + t ray with t = value / along;
+/// first-order errors are doubled, and doubled again, to cover the others. A divisor of no certain sign makes the
+/// radius infinite.
+Place seen_place(const State& s, const Corner& corner, PlaneId plane) {
+  const glm::dvec3 &a = s.table->approx(corner.low), &b = s.table->approx(corner.high);
+  const glm::dvec3 cross = glm::cross(a, b);
+  const double length = glm::length(cross);
+  const glm::dvec3 ray = cross / length;
+  const double ray_error = 0x1p-50 / length;
+  const ApproxPlane& p = s.scene->planes().approx(plane);
+  const glm::dvec3 n{p.n[0], p.n[1], p.n[2]};
+  const double along = glm::dot(n, ray), along_error = 2 * ray_error + 0x1p-50;
+  const double t = (p.d - glm::dot(n, s.eye)) / along;
+  if (!(2 * along_error < std::abs(along))) return {s.eye, INFINITY};
+  const double t_error = (0x1p-49 * s.scale + std::abs(t) * along_error) / std::abs(along);
+  return {s.eye + t * ray, 4 * (t_error + std::abs(t) * ray_error + 0x1p-50 * (s.scale + std::abs(t)))};
+}
+
+/// The lowest scene vertex that is seen in the corner and lies in the plane, which is that of a surface seen beside it:
+/// on one ray there is one point of the plane. Keeps `best` if there is none lower.
+void look_for_vertex(State& s, const Corner& at, PlaneId plane, PointId& best) {
+  const Place place = seen_place(s, at, plane);
+  s.scene->places().near(place.at, place.radius, [&](PointId v) {
+    if (v >= best) return;
+    if (s.table->side({at.low, 1}, v) != 0 || s.table->side({at.high, 1}, v) != 0) return;
+    if (point_side(s.scene->planes(), v, plane) == 0) best = v;
+  });
 }
 
 }  // namespace
@@ -51,20 +71,15 @@ void name_scene_vertices(State& s, VisibilityMap& map) {
   list_coincident(s, map);
   for (std::uint32_t v = 0; v < map.vertices.size(); ++v) {
     PointId best = none;
-    PolygonId last = none;
+    PlaneId last = none;
     for (std::uint32_t k = s.out_start[v]; k < s.out_start[v + 1]; ++k) {
       // What is seen in the sector between this half-edge and the next, right beside each of them.
       const State::Half& out = s.halves[s.outgoing[k]];
       const State::Half& in = s.halves[s.outgoing[k] ^ 1u];
       for (const std::uint32_t fragment : {out.left, in.left_at_head}) {
-        if (fragment == none || s.plane_of[fragment] == none) continue;
-        const PolygonId p = s.polygon_of[fragment];
-        if (p == last && s.scene->planar(p)) continue;
-        last = p;
-        const Corner& at = s.corners[s.vertices[v].corner];
-        look_for_corner(s, at, p, s.plane_of[fragment], best);
-        const MapFace& face = map.faces[s.face_of[s.faces.find(fragment)]];
-        for (const PolygonId q : map.coincident_of(face)) look_for_corner(s, at, q, s.plane_of[fragment], best);
+        if (fragment == none || s.plane_of[fragment] == none || s.plane_of[fragment] == last) continue;
+        last = s.plane_of[fragment];
+        look_for_vertex(s, s.corners[s.vertices[v].corner], last, best);
       }
     }
     map.vertices[v].scene_vertex = best;

@@ -1,0 +1,56 @@
+// Which scene vertices lie near a place.
+#pragma once
+
+#include "exact/point_table.hpp"
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace sightline {
+
+/// Points in the cells of a regular grid over the unit box. For finding candidates only: who asks decides exactly.
+class PlaceIndex {
+ public:
+  PlaceIndex() = default;
+  PlaceIndex(const PointTable& points, std::span<const PointId> members);
+
+  /// Calls visit(point) for at least every member within `radius` of a place along each axis (unit coordinates). A
+  /// radius that is infinite or not a number asks for all.
+  template <class Visit>
+  void near(const glm::dvec3& place, double radius, Visit&& visit) const {
+    if (members_.empty()) return;
+    std::size_t from[3], to[3];
+    for (int k = 0; k < 3; ++k) {
+      from[k] = cell(place[k] - radius, 0);
+      to[k] = cell(place[k] + radius, side_ - 1);
+    }
+    for (std::size_t x = from[0]; x <= to[0]; ++x) {
+      for (std::size_t y = from[1]; y <= to[1]; ++y) {
+        const std::size_t row = (x * side_ + y) * side_;
+        for (std::uint32_t k = first_[row + from[2]]; k < first_[row + to[2] + 1]; ++k) {
+          const glm::dvec3& at = members_[k].at;
+          if (std::abs(at.x - place.x) > radius || std::abs(at.y - place.y) > radius) continue;
+          if (!(std::abs(at.z - place.z) > radius)) visit(members_[k].point);
+        }
+      }
+    }
+  }
+
+ private:
+  std::size_t cell(double coordinate, std::size_t otherwise) const {
+    const double at = (coordinate + 0.5) * static_cast<double>(side_);
+    if (!(at == at)) return otherwise;
+    return at <= 0 ? 0 : at >= static_cast<double>(side_) ? side_ - 1 : static_cast<std::size_t>(at);
+  }
+
+  std::size_t side_ = 1;              // cells along each axis
+  std::vector<std::uint32_t> first_;  // by cell, into members_
+  struct Member {
+    PointId point;
+    glm::dvec3 at;
+  };
+  std::vector<Member> members_;
+};
+
+}  // namespace sightline
