@@ -93,6 +93,13 @@ inline Fixed<R> resize(const Fixed<W>& a) {
   return r;
 }
 
+namespace fixed_detail {
+/// r = a b modulo 2^(64 count), for a and b of n and m words, count <= n + m.
+void multiply_words(std::uint64_t* r, int count, const std::uint64_t* a, int n, const std::uint64_t* b, int m);
+/// Products of more word pairs than this are loops, not unrolled code: they are rare, and code is not free.
+inline constexpr int unrolled_products = 20;
+}  // namespace fixed_detail
+
 /// The product modulo 2^(64 R), of N times M words.
 template <int R, int N, int M>
 inline Fixed<R> multiply(const Fixed<N>& a, const Fixed<M>& b) {
@@ -103,6 +110,10 @@ inline Fixed<R> multiply(const Fixed<N>& a, const Fixed<M>& b) {
   } else if constexpr (R == 2 && N == 1 && M == 1) {
     return fixed_detail::from_int128(static_cast<__int128>(static_cast<std::int64_t>(a.word[0])) *
                                      static_cast<std::int64_t>(b.word[0]));
+  } else if constexpr (N * M > fixed_detail::unrolled_products) {
+    Fixed<R> r;
+    fixed_detail::multiply_words(r.word, R, a.word, N, b.word, M);
+    return r;
   } else {
     // Unsigned product; then, with a = ua - [a<0] 2^(64N) and the same for b, the corrections
     // - [a<0] ub 2^(64N) - [b<0] ua 2^(64M); the last term, 2^(64(N+M)), vanishes as R <= N+M.

@@ -20,7 +20,13 @@ struct GridPoint {
 /// All coordinates of a scene as integers: world = (integer + origin) * step, where step is 2^exponent, or the
 /// decimal unit of a snap. `origin` is the integer nearest to the centre of the bounding box, so that scenes far from
 /// zero stay short. Unit coordinates are grid coordinates times 2^-unit_bits: every point of the enlarged bounding
-/// box has |unit coordinate| <= 1/2. All filters work in unit coordinates.
+/// box (by half its largest extent on every side, one step at least) has |unit coordinate| <= 1/2. All filters work in
+/// unit coordinates.
+///
+/// Laws. 1: world(point(p)) = p for the points of the grid, with shift 0. 2: differences of points are those of the
+/// doubles, in steps. 3: bits() is the length of the longest coordinate, and the enlarged box lies within 1/2.
+/// 4: a snap takes the nearest multiple, ties to even; snapping again changes nothing. 5: points of a PointTable are
+/// equal just if their doubles are; their approximations are within 2^-54.
 class Grid {
  public:
   /// Grid of all the given points, losslessly. Points must be finite.

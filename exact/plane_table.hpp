@@ -25,6 +25,10 @@ struct PlaneSource {
 
 /// Planes n.x = d on the grid, gcd-reduced, with the first non-zero component of n positive; equal planes get one id.
 /// The side n.x > d is the plane's front.
+///
+/// Laws. 1: ids are equal just if the planes are. 2: exchanging two of the defining points turns the plane over: same
+/// id, other `flipped`. 3: canonical: no common divisor, first component positive, through its points, walls parallel
+/// to their axis. 4: approximations hold what ApproxPlane promises.
 class PlaneTable {
  public:
   struct Interned {

@@ -1,5 +1,11 @@
 // Decisions about points, planes and the vertices in which three planes meet. Each is the sign of a polynomial in the
 // input doubles, and always the right sign.
+//
+// Laws. 1: the defining points of a plane lie on it. 2: vertex_side does not depend on the order of the vertex's
+// planes. 3: it is zero, by identity, for them. 4: a vertex that is a point of the scene lies where the point lies.
+// 5: planes_orientation changes sign with every exchange. 6: it is zero with every third plane for parallel ones.
+// 7: a vertex is within its error, and that is below 2^-48 in the unit box. 8: orientation changes sign with every
+// exchange. 9: compare is the order of the doubles.
 #pragma once
 
 #include "exact/plane_table.hpp"
@@ -7,7 +13,8 @@
 namespace sightline {
 
 /// A point named by three planes that meet in just it, with its unit coordinates. Each coordinate is within `error` of
-/// the exact one; error is finite, and below 2^-48 for every vertex in the unit box.
+/// the exact one; error is finite as long as the coordinates are within the range of doubles, and below 2^-48 for every
+/// vertex in the unit box.
 struct ImplicitVertex {
   PlaneId plane[3];
   double error;

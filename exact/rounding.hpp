@@ -1,4 +1,7 @@
 // From doubles to integers and back, correctly rounded.
+//
+// Laws. 1: a dyadic goes back to its double. 2: no double is nearer than nearest_double, and ties go to even; it is odd
+// in its argument. 3: nearest_integer is within 1/2, and even on ties.
 #pragma once
 
 #include "exact/types.hpp"

@@ -163,11 +163,13 @@ Sign SightlineTable::exact_order(SightlineId a, SightlineId b, SightlineId c) co
     const auto value = [&]<int N, int M>(Words<N> n, Words<M> m) -> Sign {
       return sign_of<W>(det3<W, N, M>(at(n, x), at(n, y), at(m, z)));
     };
-    // Three lines of one kind have a third of the result each; two of points and one of planes 2:2:5.
-    constexpr int third = (W + 2) / 3, quarter = (W + 3) / 4, rest = W - quarter;
+    // Three lines of one kind have a third of the result each; two of points and one of planes 2:2:5, one and two
+    // 2:5:5.
+    constexpr int third = (W + 2) / 3, quarter = (W + 3) / 4, rest = W - quarter, half = (W + 1) / 2;
     if constexpr (W > 1) {
       if (longest < 64 * third) return value(Words<third>{}, Words<third>{});
       if (shorter < 64 * quarter && longest < 64 * rest) return value(Words<quarter>{}, Words<rest>{});
+      if (longest < 64 * half) return value(Words<half>{}, Words<half>{});
     }
     return value(Words<W>{}, Words<W>{});
   });

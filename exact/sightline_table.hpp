@@ -13,7 +13,7 @@ namespace sightline {
 
 /// Sign of det(x, y, z) of approximate normals. Components are at most 1, each within u = 2^-53. Data: six terms, each
 /// within 3u. Rounding: the minors are within 4u, their products with the third within 6u, and the two sums add 4u and
-/// 6u. 18 + 18 + 10 = 46 u; the bound is 64 u.
+/// 6u. 18 + 18 + 10 = 46 u; the bound is 64 u. A contracted product only rounds less.
 inline Sign filter_order(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z) {
   constexpr double bound = 64 * 0x1p-53;
   const double det = (x.y * y.z - x.z * y.y) * z.x + (x.z * y.x - x.x * y.z) * z.y + (x.x * y.y - x.y * y.x) * z.z;
@@ -24,7 +24,14 @@ inline Sign filter_order(const glm::dvec3& x, const glm::dvec3& y, const glm::dv
 /// normals that are multiples of one another share one id (canonical: the one that came first; refs carry the sign).
 /// Reusable: `reset` forgets the lines, keeps the buffers. Not for use by two threads at once.
 ///
-/// A ray r lies in the front of line n when n.r > 0. The *corner* of two refs is the ray  n_b x n_a  (see corner()).
+/// A ray r lies in the front of line n when n.r > 0. The *corner* of two refs is the ray  n_b x n_a.
+///
+/// Laws. 1: exchanging the two points, or planes, turns the line over. 2: ids are equal just if the normals are
+/// parallel; the refs' signs tell same from opposite. 3: order changes sign with every exchange and with every ref's
+/// sign. 4: it is zero, by identity, for equal ids. 5: side(of_points(a, b), c) alternates in a, b, c. 6: for two
+/// planes through the points a and b, of_planes is the line of_points(a, b). 7: a plane through the eye is its line
+/// with every other plane. 8: after a reset all answers are those of a new table. 9: approximations hold what approx()
+/// promises.
 class SightlineTable {
  public:
   explicit SightlineTable(const PlaneTable& planes) { reset(planes, {}); }
@@ -108,6 +115,10 @@ class SightlineTable {
 };
 
 /// The window of a perspective camera: the ray of (s,t) in [0,1]^2 is forward + (s-1/2) right + (t-1/2) up.
+///
+/// Laws. 1: the corners of the window are (0,0), (1,0), (0,1), (1,1), exactly. 2: every corner lies on the inner side
+/// of the other two sides, and forward. 3: a common power of two in the vectors changes nothing. 4: with right negated
+/// the handedness changes, and left and right are exchanged.
 class Window {
  public:
   enum Side { left, right, bottom, top };
@@ -117,7 +128,8 @@ class Window {
   SightlineRef side(SightlineTable& table, Side which) const;
   /// +1: right x up points backwards, as in every camera made from angles; -1: a mirrored camera.
   Sign handedness() const { return handedness_; }
-  /// (s,t) of the ray in which two different sightlines meet, each coordinate the nearest double.
+  /// (s,t) of the ray in which two different sightlines meet, each coordinate the nearest double; not a number where
+  /// they meet at infinity (a ray parallel to the window).
   glm::dvec2 st(const SightlineTable& table, SightlineId a, SightlineId b) const;
   /// Sign of the forward component of the ray n_b x n_a (oriented normals).
   Sign forwardness(const SightlineTable& table, SightlineRef a, SightlineRef b) const;

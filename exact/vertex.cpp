@@ -26,11 +26,12 @@ Sign filter_vertex_side(const ApproxPlane& q, const ImplicitVertex& v) {
 // The vertex of three planes from exact determinants: x_k = X_k / D, each of both rounded once, so x_k within
 // ((1 + u)^2 / (1 - u) - 1) |x_k| < 4u |x_k|. X_k has six terms of two normals and an offset: bits as given.
 bool fixed_vertex(const std::array<PlaneRow, 3>& row, int unit_bits, ImplicitVertex& v) {
-  int bits = 3, longer = 0, longest = 0;
+  int bits = 3, longer = 0, longest = 0, longest_offset = 0;
   for (const PlaneRow& r : row) {
     bits += r.normal_bits;
     longer = std::max(longer, r.offset_bits - r.normal_bits);
     longest = std::max(longest, r.normal_bits);
+    longest_offset = std::max(longest_offset, r.offset_bits);
   }
   return at_width(bits + longer, [&](auto width) -> bool {
     constexpr int W = width();
@@ -45,11 +46,19 @@ bool fixed_vertex(const std::array<PlaneRow, 3>& row, int unit_bits, ImplicitVer
         const Wide<W> det = dot<W, M, N>(bc, a);
         if (sign(det) == 0) throw std::invalid_argument("the planes do not meet in one point");
         const double d = words_to_double(det.word, W, 0);  // below 2^1023
-        const Wide<W> da = row[0].template offset<W>(), db = row[1].template offset<W>(),
-                      dc = row[2].template offset<W>();
-        for (std::size_t k = 0; k < 3; ++k) {
-          const Wide<W> x = times<W, M, W>(bc[k], da) + times<W, M, W>(ca[k], db) + times<W, M, W>(ab[k], dc);
-          v.approx[static_cast<int>(k)] = std::ldexp(words_to_double(x.word, W, 0) / d, -unit_bits);
+        const auto coordinates = [&]<int Q>(Words<Q>) {
+          const Wide<Q> da = row[0].template offset<Q>(), db = row[1].template offset<Q>(),
+                        dc = row[2].template offset<Q>();
+          for (std::size_t k = 0; k < 3; ++k) {
+            const Wide<W> x = times<W, M, Q>(bc[k], da) + times<W, M, Q>(ca[k], db) + times<W, M, Q>(ab[k], dc);
+            v.approx[static_cast<int>(k)] = std::ldexp(words_to_double(x.word, W, 0) / d, -unit_bits);
+          }
+        };
+        constexpr int half = (W + 1) / 2;
+        if (longest_offset < 64 * half) {
+          coordinates(Words<half>{});
+        } else {
+          coordinates(Words<W>{});
         }
         return true;
       });

@@ -35,7 +35,7 @@ struct RandomScene {
   glm::dvec3 eye{0};
 
   RandomScene(std::uint64_t seed, int bits, int count = 10) : random_(seed), bits_(bits) {
-    scale_ = bits > 1000 ? -1000 : below(random_, 41) - 20;
+    scale_ = bits > 1000 ? -1040 : below(random_, 41) - 20;
     for (int i = 0; i < count; ++i) points.push_back(i < 3 ? fresh() : next());
     eye = next();
     switch (below(random_, 6)) {
