@@ -71,15 +71,17 @@ void name_scene_vertices(State& s, VisibilityMap& map) {
   list_coincident(s, map);
   for (std::uint32_t v = 0; v < map.vertices.size(); ++v) {
     PointId best = none;
-    PlaneId last = none;
+    s.planes_beside.clear();
     for (std::uint32_t k = s.out_start[v]; k < s.out_start[v + 1]; ++k) {
       // What is seen in the sector between this half-edge and the next, right beside each of them.
       const State::Half& out = s.halves[s.outgoing[k]];
       const State::Half& in = s.halves[s.outgoing[k] ^ 1u];
       for (const std::uint32_t fragment : {out.left, in.left_at_head}) {
-        if (fragment == none || s.plane_of[fragment] == none || s.plane_of[fragment] == last) continue;
-        last = s.plane_of[fragment];
-        look_for_vertex(s, s.corners[s.vertices[v].corner], last, best);
+        if (fragment == none || s.plane_of[fragment] == none) continue;
+        const PlaneId plane = s.plane_of[fragment];
+        if (std::find(s.planes_beside.begin(), s.planes_beside.end(), plane) != s.planes_beside.end()) continue;
+        s.planes_beside.push_back(plane);
+        look_for_vertex(s, s.corners[s.vertices[v].corner], plane, best);
       }
     }
     map.vertices[v].scene_vertex = best;
