@@ -210,6 +210,17 @@ void Tracer::State::view(Regions::Region region) {
     enter_from_outside(region);
     return;
   }
+  // An eye on the box's own boundary looks out of it as well.
+  for (int k = 0; k < 6; ++k) {
+    const PlaneId plane = complex.box_plane[k / 2][k % 2];
+    if (table.eye_side(plane) != 0) continue;
+    SightlineRef line = table.of_plane(plane);  // its normal points up the axis
+    if (k % 2 == 1) line.sign = -line.sign;
+    const Regions::Region out = regions.clip(table, region, -line);
+    if (out.count != 0) fragment(out, nullptr);
+    region = regions.clip(table, region, line);
+    if (region.count == 0) return;
+  }
   for (const CellId cell : eye_cells) {
     const std::uint32_t mark = regions.mark();
     Regions::Region part = region;

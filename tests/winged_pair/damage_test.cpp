@@ -68,7 +68,7 @@ const std::vector<Damage>& damages() {
       {"EdgeTurned", [](Complex& c) { std::swap(c.edges[2].vertex[0], c.edges[2].vertex[1]); }, "ends in vertex"},
       {"EdgePlanesTurned", [](Complex& c) { std::swap(c.edges[2].plane[0], c.edges[2].plane[1]); },
        "does not run along"},
-      {"EdgePlaneElsewhere", [](Complex& c) { c.edges[2].plane[0] = c.faces[inner_face(c, true)].plane; },
+      {"EdgePlaneElsewhere", [](Complex& c) { c.edges[2].plane[0] = c.box_plane[1][1]; },
        "edge 2: vertex"},
       {"EdgeOfParallelPlanes", [](Complex& c) { c.edges[2].plane[0] = c.edges[2].plane[1]; }, "do not meet in a line"},
       {"EdgePairElsewhere", [](Complex& c) { c.edges[2].pair = c.edges[3].pair; }, "edge 2: its pair"},
