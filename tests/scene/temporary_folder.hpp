@@ -29,6 +29,7 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path write(const std::string& name, std::string_view content) const {
     const std::filesystem::path file = path_ / name;
+    std::filesystem::remove(file);  // some file systems flush a file that is cut to nothing and written again
     std::ofstream(file, std::ios::binary) << content;
     return file;
   }
