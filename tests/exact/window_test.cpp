@@ -35,12 +35,20 @@ struct Camera {
   Window window() const { return Window(forward, right, up); }
 };
 
+// A double's value; infinity, to which rounding goes from halfway beyond the largest double, stands for 2^1024.
+mpq_class value_of(double x) {
+  if (std::isfinite(x)) return mpq_class(x);
+  const mpz_class beyond = mpz_class(1) << 1024;
+  return x > 0 ? beyond : -beyond;
+}
+
 // Is `found` a nearest double of n / d? Compares the distances to both neighbours exactly; ties ask for an even one.
 bool is_nearest(double found, const mpz_class& n, const mpz_class& d) {
   const mpq_class truth(n * sgn(d), abs(d));
-  const mpq_class off = abs(mpq_class(found) - truth);
+  if (std::isnan(found)) return false;
+  const mpq_class off = abs(value_of(found) - truth);
   for (const double to : {-INFINITY, INFINITY}) {
-    const mpq_class other = abs(mpq_class(std::nextafter(found, to)) - truth);
+    const mpq_class other = abs(value_of(std::nextafter(found, to)) - truth);
     if (other < off) return false;
     if (other == off && (std::bit_cast<std::uint64_t>(found) & 1u) != 0) return false;
   }
