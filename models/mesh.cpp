@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace sightline::models {
 namespace {
@@ -13,7 +14,8 @@ std::uint64_t pack(const Point& p) {
 }
 
 std::size_t home_slot(std::uint64_t key, std::size_t slot_count) {
-  return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 20) & (slot_count - 1);
+  // The upper bits of the product: only they depend on all of the key. The number of slots is a power of two.
+  return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> (64 - std::countr_zero(slot_count)));
 }
 
 }  // namespace

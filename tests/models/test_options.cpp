@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace sightline {
 namespace {
@@ -38,6 +39,18 @@ std::uint64_t fingerprint(const Model& model) {
 TEST(ModelOptions, SameSeedSameModel) {
   for (const std::string& name : model_names()) {
     EXPECT_EQ(fingerprint(make_model(name)), fingerprint(make_model(name))) << name;
+  }
+}
+
+/// The models are the same to the last bit wherever they are made. Whoever changes a generator writes the new number
+/// here.
+TEST(ModelOptions, SameModelOnEveryPlatform) {
+  const std::map<std::string, std::uint64_t> expected{
+      {"rooms", 0x71728cd938e6ec34u}, {"maze", 0xf48d3ca688128c17u},   {"arena", 0xc8c0d063e8d7b9b6u},
+      {"city", 0x01b3e3adbf4eee25u},  {"floor", 0x0603ce6ebef175e2u},  {"building", 0xce6398ef53c29c2bu},
+      {"tower", 0x0832b128e427cef2u}, {"campus", 0x3099d3939d0211fbu}, {"random", 0x85f09213236d592eu}};
+  for (const std::string& name : model_names()) {
+    EXPECT_EQ(fingerprint(make_model(name)), expected.at(name)) << name;
   }
 }
 
