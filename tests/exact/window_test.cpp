@@ -44,8 +44,9 @@ mpq_class value_of(double x) {
 
 // Is `found` a nearest double of n / d? Compares the distances to both neighbours exactly; ties ask for an even one.
 bool is_nearest(double found, const mpz_class& n, const mpz_class& d) {
-  const mpq_class truth(n * sgn(d), abs(d));
   if (std::isnan(found)) return false;
+  mpq_class truth(n * sgn(d), abs(d));
+  truth.canonicalize();
   const mpq_class off = abs(value_of(found) - truth);
   for (const double to : {-INFINITY, INFINITY}) {
     const mpq_class other = abs(value_of(std::nextafter(found, to)) - truth);
