@@ -2,7 +2,6 @@
 #include "visibility_map/stitch_state.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace sightline::stitching {
 namespace {
@@ -26,19 +25,26 @@ void collect_vertices(State& s) {
 
 /// Places are compared as doubles first: a canonical order, and exact where it matters, since rounding is monotone.
 void order_vertices(State& s) {
-  for (VertexDraft& vertex : s.vertices) place_vertex(s, vertex);
-  std::sort(s.vertices.begin(), s.vertices.end(), [&](const VertexDraft& a, const VertexDraft& b) {
-    if (s.camera) {
-      if (a.st.x != b.st.x) return a.st.x < b.st.x;
-      if (a.st.y != b.st.y) return a.st.y < b.st.y;
-    } else {
-      for (int k = 0; k < 3; ++k) {
-        if (a.direction[k] != b.direction[k]) return a.direction[k] < b.direction[k];
-      }
-    }
+  s.vertex_order.resize(s.vertices.size());
+  for (std::uint32_t k = 0; k < s.vertices.size(); ++k) {
+    place_vertex(s, s.vertices[k]);
+    s.vertex_order[k] = {s.camera ? s.vertices[k].st.x : s.vertices[k].direction.x, k};
+  }
+  const auto below = [&](const VertexDraft& a, const VertexDraft& b) {
+    if (s.camera && a.st.y != b.st.y) return a.st.y < b.st.y;
+    if (!s.camera && a.direction.y != b.direction.y) return a.direction.y < b.direction.y;
+    if (!s.camera && a.direction.z != b.direction.z) return a.direction.z < b.direction.z;
     return a.root != b.root && compare_places(s, a.corner, b.corner) < 0;
+  };
+  std::sort(s.vertex_order.begin(), s.vertex_order.end(), [&](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : below(s.vertices[a.second], s.vertices[b.second]);
   });
-  for (std::uint32_t k = 0; k < s.vertices.size(); ++k) s.vertex_of[s.vertices[k].root] = k;
+  s.placed.resize(s.vertices.size());
+  for (std::uint32_t k = 0; k < s.vertices.size(); ++k) {
+    s.placed[k] = s.vertices[s.vertex_order[k].second];
+    s.vertex_of[s.placed[k].root] = k;
+  }
+  s.vertices.swap(s.placed);
 }
 
 MapLine line_of(const State& s, NameKey name) {
@@ -48,55 +54,52 @@ MapLine line_of(const State& s, NameKey name) {
           {static_cast<std::uint32_t>((name - 4) >> 31), static_cast<std::uint32_t>((name - 4) & 0x7fffffff)}};
 }
 
+/// Lines of the map, and which of them every edge and every mark has.
 void order_names(State& s, VisibilityMap& map) {
-  const auto less = [&](NameKey a, NameKey b) { return name_less(s, a, b); };
   s.names.clear();
-  for (const Edge& edge : s.edges) s.names.push_back(edge.name);
-  for (const Mark& mark : s.marks) s.names.push_back(mark.name);
-  std::sort(s.names.begin(), s.names.end(), less);
-  s.names.erase(std::unique(s.names.begin(), s.names.end(), [&](NameKey a, NameKey b) { return !less(a, b); }),
-                s.names.end());
+  std::uint32_t user = 0;
+  for (const Edge& edge : s.edges) s.names.push_back({edge.name, user++});
+  for (const Mark& mark : s.marks) s.names.push_back({mark.name, user++});
+  std::sort(s.names.begin(), s.names.end(),
+            [&](const auto& a, const auto& b) { return name_less(s, a.first, b.first); });
+  s.line_of_user.resize(s.names.size());
   map.lines.clear();
-  for (const NameKey name : s.names) map.lines.push_back(line_of(s, name));
+  for (std::size_t k = 0; k < s.names.size(); ++k) {
+    if (k == 0 || name_less(s, s.names[k - 1].first, s.names[k].first)) {
+      map.lines.push_back(line_of(s, s.names[k].first));
+    }
+    s.line_of_user[s.names[k].second] = static_cast<std::uint32_t>(map.lines.size() - 1);
+  }
 }
 
-std::uint32_t place_of(const State& s, NameKey name) {
-  const auto at =
-      std::lower_bound(s.names.begin(), s.names.end(), name, [&](NameKey a, NameKey b) { return name_less(s, a, b); });
-  return static_cast<std::uint32_t>(at - s.names.begin());
-}
-
-void add_edge(State& s, VisibilityMap& map, const Edge& edge) {
+void add_edge(State& s, VisibilityMap& map, std::uint32_t k) {
+  const Edge& edge = s.edges[k];
   const Part &first = s.parts[edge.first], &last = s.parts[edge.last];
   const std::uint32_t from = s.vertex_of[s.rays.find(first.from)], to = s.vertex_of[s.rays.find(last.to)];
-  const bool along = from < to;  // the line's positive direction
   const bool mirrored = s.handedness < 0;
   const auto left = [&](const Part& part) { return mirrored ? part.right : part.left; };
   const auto right = [&](const Part& part) { return mirrored ? part.left : part.right; };
-  const State::Half forwards{{first.line, 1}, first.from, last.to, left(first), left(last)};
-  const State::Half backwards{{first.line, -1}, last.to, first.from, right(last), right(first)};
-  s.halves.push_back(along ? forwards : backwards);
-  s.halves.push_back(along ? backwards : forwards);
+  const std::size_t e = map.edges.size();
+  const std::size_t along = from < to ? 0 : 1;  // the half-edge in the line's positive direction
+  s.halves[2 * e + along] = {{first.line, 1}, first.from, last.to, left(first), left(last)};
+  s.halves[2 * e + 1 - along] = {{first.line, -1}, last.to, first.from, right(last), right(first)};
   map.edges.push_back(
-      {{std::min(from, to), std::max(from, to)}, place_of(s, edge.name), none, none, first.kind, first.owner});
+      {{std::min(from, to), std::max(from, to)}, s.line_of_user[k], none, none, first.kind, first.owner});
 }
 
 void order_edges(State& s, VisibilityMap& map) {
-  s.order.resize(s.edges.size());
-  std::iota(s.order.begin(), s.order.end(), 0u);
-  s.edge_ends.resize(s.edges.size());
-  for (std::size_t k = 0; k < s.edges.size(); ++k) {
+  s.edge_order.resize(s.edges.size());
+  for (std::uint32_t k = 0; k < s.edges.size(); ++k) {
     const std::uint32_t a = s.vertex_of[s.rays.find(s.parts[s.edges[k].first].from)];
     const std::uint32_t b = s.vertex_of[s.rays.find(s.parts[s.edges[k].last].to)];
-    s.edge_ends[k] = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+    s.edge_order[k] = {std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), k};
   }
-  std::sort(s.order.begin(), s.order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    if (s.edge_ends[a] != s.edge_ends[b]) return s.edge_ends[a] < s.edge_ends[b];
-    return name_less(s, s.edges[a].name, s.edges[b].name);
+  std::sort(s.edge_order.begin(), s.edge_order.end(), [&](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : s.line_of_user[a.second] < s.line_of_user[b.second];
   });
   map.edges.clear();
-  s.halves.clear();
-  for (const std::uint32_t k : s.order) add_edge(s, map, s.edges[k]);
+  s.halves.resize(2 * s.edges.size());
+  for (const auto& [ends, k] : s.edge_order) add_edge(s, map, k);
 }
 
 /// The two lowest names among the edges that end in a vertex, on different lines.
@@ -117,7 +120,9 @@ void name_vertices(State& s, VisibilityMap& map) {
       map.vertices[v].line[1] = std::min(map.vertices[v].line[1], map.edges[e].line);
     }
   }
-  for (const Mark& mark : s.marks) map.vertices[s.vertex_of[mark.root]].line[1] = place_of(s, mark.name);
+  for (std::size_t k = 0; k < s.marks.size(); ++k) {
+    map.vertices[s.vertex_of[s.marks[k].root]].line[1] = s.line_of_user[s.edges.size() + k];
+  }
 }
 
 }  // namespace

@@ -156,14 +156,13 @@ struct State {
   std::vector<Mark> marks;
   std::vector<MapLine> plane_names;
   std::vector<Carrier> carriers, other_carriers;
-  std::vector<PointId> breaks;
-  std::vector<CornerId> break_corners;
-  std::vector<NameKey> names;
-  std::vector<std::uint32_t> order;
+  std::vector<std::pair<NameKey, std::uint32_t>> names;  // with its user: edges, then marks
+  std::vector<std::uint32_t> line_of_user;
 
   // The map's own graph. Half-edge 2e runs along edge e, 2e+1 against it.
   std::vector<std::uint32_t> vertex_of;  // per root: place in the map
-  std::vector<VertexDraft> vertices;
+  std::vector<VertexDraft> vertices, placed;
+  std::vector<std::pair<double, std::uint32_t>> vertex_order;
   struct Half {
     SightlineRef line;    // oriented: the left of the half-edge, as seen from the eye, is its front
     CornerId tail, head;  // corners with this line in their names
@@ -171,7 +170,7 @@ struct State {
     std::uint32_t left_at_head;
   };
   std::vector<Half> halves;
-  std::vector<std::uint64_t> edge_ends;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> edge_order;
   std::vector<SightlineId> vertex_line;  // per vertex: the sightline of its line[0]
   std::vector<std::uint32_t> out_start, outgoing, next;
   std::vector<std::uint32_t> face_of;  // per root of `faces`

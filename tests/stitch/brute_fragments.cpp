@@ -161,9 +161,9 @@ Fragments brute_fragments(const Scene& scene, const Camera* camera, SightlineTab
   return fragments;
 }
 
-PolygonSoup random_soup(std::mt19937& random) {
+PolygonSoup random_soup(std::mt19937& random, int most) {
   const auto from = [&](int a, int b) { return a + static_cast<int>(random() % static_cast<unsigned>(b - a + 1)); };
-  const int k = from(2, 4), count = from(2, 8);
+  const int k = from(2, 4), count = from(2, most);
   PolygonSoup soup;
   soup.source = "random.obj";
   const auto corner = [&](const glm::dvec3& p) {

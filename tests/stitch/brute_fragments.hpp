@@ -34,7 +34,7 @@ Fragments brute_fragments(const Scene& scene, const Camera* camera, SightlineTab
 
 /// A small scene full of degeneracies: triangles, rectangles along the axes, L shapes, quadrilaterals that are not
 /// planar, all on a grid of small integers.
-PolygonSoup random_soup(std::mt19937& random);
+PolygonSoup random_soup(std::mt19937& random, int most = 8);
 /// A camera of small numbers that looks at such a scene.
 Camera random_camera(std::mt19937& random);
 
