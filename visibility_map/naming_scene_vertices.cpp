@@ -34,30 +34,36 @@ struct Place {
   double radius;
 };
 
+/// The unit ray of a corner, each component within `error`.
+struct UnitRay {
+  glm::dvec3 at;
+  double error;
+};
+UnitRay unit_ray(const State& s, const Corner& corner) {
+  const glm::dvec3 cross = glm::cross(s.table->approx(corner.low), s.table->approx(corner.high));
+  const double scale = 1 / glm::length(cross);
+  return {cross * scale, 0x1p-50 * scale};
+}
+
 /// Unit lines' normals a, b carry 2^-53 a component, so the ray a x b, made unit, is within 2^-50 / |a x b|. The
 /// plane's numbers carry 2^-53 each and the eye 2^-52 of its size: its value at the eye is within 2^-49 of the eye's
 /// scale, its value along the ray within twice the ray's error. The place is eye + t ray with t = value / along;
 /// first-order errors are doubled, and doubled again, to cover the others. A divisor of no certain sign makes the
 /// radius infinite.
-Place seen_place(const State& s, const Corner& corner, PlaneId plane) {
-  const glm::dvec3 &a = s.table->approx(corner.low), &b = s.table->approx(corner.high);
-  const glm::dvec3 cross = glm::cross(a, b);
-  const double length = glm::length(cross);
-  const glm::dvec3 ray = cross / length;
-  const double ray_error = 0x1p-50 / length;
+Place seen_place(const State& s, const UnitRay& ray, PlaneId plane) {
   const ApproxPlane& p = s.scene->planes().approx(plane);
   const glm::dvec3 n{p.n[0], p.n[1], p.n[2]};
-  const double along = glm::dot(n, ray), along_error = 2 * ray_error + 0x1p-50;
+  const double along = glm::dot(n, ray.at), along_error = 2 * ray.error + 0x1p-50;
   const double t = (p.d - glm::dot(n, s.eye)) / along;
   if (!(2 * along_error < std::abs(along))) return {s.eye, INFINITY};
   const double t_error = (0x1p-49 * s.scale + std::abs(t) * along_error) / std::abs(along);
-  return {s.eye + t * ray, 4 * (t_error + std::abs(t) * ray_error + 0x1p-50 * (s.scale + std::abs(t)))};
+  return {s.eye + t * ray.at, 4 * (t_error + std::abs(t) * ray.error + 0x1p-50 * (s.scale + std::abs(t)))};
 }
 
 /// The lowest scene vertex that is seen in the corner and lies in the plane, which is that of a surface seen beside it:
 /// on one ray there is one point of the plane. Keeps `best` if there is none lower.
-void look_for_vertex(State& s, const Corner& at, PlaneId plane, PointId& best) {
-  const Place place = seen_place(s, at, plane);
+void look_for_vertex(State& s, const Corner& at, const UnitRay& ray, PlaneId plane, PointId& best) {
+  const Place place = seen_place(s, ray, plane);
   s.scene->places().near(place.at, place.radius, [&](PointId v) {
     if (v >= best) return;
     if (s.table->side({at.low, 1}, v) != 0 || s.table->side({at.high, 1}, v) != 0) return;
@@ -70,6 +76,8 @@ void look_for_vertex(State& s, const Corner& at, PlaneId plane, PointId& best) {
 void name_scene_vertices(State& s, VisibilityMap& map) {
   list_coincident(s, map);
   for (std::uint32_t v = 0; v < map.vertices.size(); ++v) {
+    const Corner& at = s.corners[s.vertices[v].corner];
+    const UnitRay ray = unit_ray(s, at);
     PointId best = none;
     s.planes_beside.clear();
     for (std::uint32_t k = s.out_start[v]; k < s.out_start[v + 1]; ++k) {
@@ -81,7 +89,7 @@ void name_scene_vertices(State& s, VisibilityMap& map) {
         const PlaneId plane = s.plane_of[fragment];
         if (std::find(s.planes_beside.begin(), s.planes_beside.end(), plane) != s.planes_beside.end()) continue;
         s.planes_beside.push_back(plane);
-        look_for_vertex(s, s.corners[s.vertices[v].corner], plane, best);
+        look_for_vertex(s, at, ray, plane, best);
       }
     }
     map.vertices[v].scene_vertex = best;

@@ -160,7 +160,7 @@ class Drawing {
   Atom atom(std::uint32_t h) {
     const Point &a = plane_.origin(h), &b = plane_.target(h);
     const auto at = [&](int sixteenths) {
-      const mpq_class w(sixteenths, 16);
+      const mpq_class w = mpq_class(sixteenths) / 16;
       return Point{a.x + w * (b.x - a.x), a.y + w * (b.y - a.y)};
     };
     const Atom middle = atom_at(h, at(8));
