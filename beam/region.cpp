@@ -28,53 +28,83 @@ Regions::Region Regions::push(const SightlineTable& table, std::span<const Sight
   return r;
 }
 
-Regions::Region Regions::clip(SightlineTable& table, Region region, SightlineRef line) {
-  // sign_[k]: on which side of the line the corner of sides k and k + 1 lies.
-  sign_.clear();
-  bool inside = false, outside = false;
+int Regions::classify(SightlineTable& table, Region region, SightlineRef line) {
+  sign_.resize(region.count);
+  int found = 0;
   const glm::dvec3 n = inward(table, line);
   std::uint64_t filtered = 0;
+  const RegionSide* const side = stack_.data() + region.first;
   for (std::uint32_t k = 0; k < region.count; ++k) {
-    const RegionSide& here = stack_[region.first + k];
+    const RegionSide& here = side[k];
     if (here.line.id == line.id) {
       // The region lies wholly on one side of its own side's line.
       tally().filter += filtered;
       ++tally().identity;
-      return here.line.sign == line.sign ? region : Region{region.first, 0};
+      return here.line.sign == line.sign ? 2 : 1;
     }
     const double det = here.corner.x * n.x + here.corner.y * n.y + here.corner.z * n.z;
     Sign s = det > bound ? 1 : det < -bound ? -1 : uncertain;
-    if (s == uncertain) {
-      const RegionSide& next = stack_[region.first + (k + 1 == region.count ? 0 : k + 1)];
+    if (s == uncertain) [[unlikely]] {
+      const RegionSide& next = side[k + 1 == region.count ? 0 : k + 1];
       s = table.order(next.line, here.line, line);
     } else {
       ++filtered;
     }
-    inside |= s > 0;
-    outside |= s < 0;
-    sign_.push_back(static_cast<std::int8_t>(s));
+    found |= s > 0 ? 2 : s < 0 ? 1 : 0;
+    sign_[k] = static_cast<std::int8_t>(s);
   }
   tally().filter += filtered;
-  if (!inside) return {region.first, 0};
-  if (!outside) return region;
+  return found;
+}
 
+Regions::Region Regions::part(const SightlineTable& table, Region region, SightlineRef line, Sign side) {
   // Keep the sides that have a corner inside; the line itself goes where they leave off.
   Region cut{mark(), 0};
   std::uint32_t own = 0;  // where the line stands among the sides
+  Sign before = side * sign_[region.count - 1];
   for (std::uint32_t k = 0; k < region.count; ++k) {
-    const Sign before = sign_[k == 0 ? region.count - 1 : k - 1], after = sign_[k];
-    if (before <= 0 && after <= 0) continue;
-    stack_.push_back(stack_[region.first + k]);
-    if (after > 0) continue;
-    own = mark() - cut.first;
-    stack_.push_back({line, {}});
+    const Sign after = side * sign_[k];
+    if (before > 0 || after > 0) {
+      stack_.push_back(stack_[region.first + k]);
+      if (after <= 0) {
+        own = mark() - cut.first;
+        stack_.push_back({line, {}});
+      }
+    }
+    before = after;
   }
   cut.count = mark() - cut.first;
-  RegionSide* const side = stack_.data() + cut.first;
-  RegionSide& last = side[own - 1];
+  RegionSide* const made = stack_.data() + cut.first;
+  RegionSide& last = made[own - 1];
   last.corner = corner(table, last.line, line);
-  side[own].corner = corner(table, line, side[own + 1 == cut.count ? 0 : own + 1].line);
+  made[own].corner = corner(table, line, made[own + 1 == cut.count ? 0 : own + 1].line);
   return cut;
+}
+
+Regions::Region Regions::clip(SightlineTable& table, Region region, SightlineRef line) {
+  const int found = classify(table, region, line);
+  if (!(found & 2)) return {region.first, 0};
+  if (!(found & 1)) return region;
+  return part(table, region, line, 1);
+}
+
+bool Regions::carve(SightlineTable& table, Region region, std::span<const SightlineRef> lines, Region& inside,
+                    std::vector<Region>& outside) {
+  const std::uint32_t bottom = mark();
+  const std::size_t made = outside.size();
+  inside = region;
+  for (const SightlineRef line : lines) {
+    const int found = classify(table, inside, line);
+    if (!(found & 2)) {
+      release(bottom);
+      outside.resize(made);
+      return false;
+    }
+    if (!(found & 1)) continue;
+    outside.push_back(part(table, inside, -line, -1));
+    inside = part(table, inside, line, 1);
+  }
+  return true;
 }
 
 }  // namespace sightline

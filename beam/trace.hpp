@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "bsp/tree.hpp"
 #include "visibility_map/map.hpp"
 #include "winged_pair/complex.hpp"
 
@@ -11,20 +12,22 @@ namespace sightline {
 /// Counts of one map, as in the paper's table 2.
 struct TraceStats {
   double seconds = 0;  // from the camera to the finished map in memory
-  std::uint32_t beams = 0;
-  std::uint32_t cells = 0;  // distinct cells that a beam entered
+  std::uint32_t beams = 0;  // cells: beams in cells; front-to-back: beams that end on a polygon or nowhere
+  std::uint32_t cells = 0;  // cells: distinct cells that a beam entered; front-to-back: nodes visited
   std::uint32_t fragments = 0;
   std::uint32_t faces = 0, edges = 0, vertices = 0;
 };
 
-/// Engine `cells` (Funkhouser 1999, section 4): beams go depth first through transparent faces, trimmed by each.
+/// Makes visibility maps by one of two engines, which give the same map, to the byte: `front-to-back` on a tree of the
+/// scene's polygons, the faster one, and `cells` (Funkhouser 1999, section 4) on the winged-pair complex.
 ///
-/// Holds the buffers of a sequence of cameras: one tracer a thread. Copies share what was prepared from the complex.
-/// Scene and complex must outlive it. The eye may be anywhere: inside, outside, on a polygon, edge or vertex.
+/// Holds the buffers of a sequence of cameras: one tracer a thread. Copies share what was prepared. Scene and complex,
+/// or tree, must outlive it. The eye may be anywhere: inside, outside, on a polygon, edge or vertex.
 /// Errors: std::invalid_argument if the camera's vectors are not finite or not linearly independent.
 class Tracer {
  public:
-  Tracer(const Scene& scene, const Complex& complex);
+  explicit Tracer(const BspTree& tree);                // front-to-back
+  Tracer(const Scene& scene, const Complex& complex);  // cells
   Tracer(const Tracer& other);
   ~Tracer();
 

@@ -77,6 +77,8 @@ class SightlineTable {
   const std::uint64_t* words(SightlineId id) const { return words_.data() + line_[id].first; }
   const PlaneTable& planes() const { return *planes_; }
   const GridPoint& eye() const { return eye_; }
+  /// The eye in unit coordinates, each the nearest double.
+  const glm::dvec3& eye_approx() const { return exact_eye_.approx; }
 
  private:
   struct Line {

@@ -1,0 +1,44 @@
+// What the engines share: one camera's sightlines, regions and fragments. Internal to beam/.
+#pragma once
+
+#include <memory>
+
+#include "beam/region.hpp"
+#include "visibility_map/fragment.hpp"
+
+namespace sightline {
+
+/// The view of one eye while it is traced.
+struct View {
+  View(const Scene& s, const PlaneTable& planes) : scene(s), table(planes) {}
+
+  const Scene& scene;
+  SightlineTable table;
+  Regions regions;
+  Fragments fragments;
+  std::uint32_t beams = 0, cells = 0;
+
+  /// Is a surface opaque seen from that side of its plane?
+  bool opaque(SurfaceId s, Sign eye_side) const {
+    return !scene.options().one_sided || scene.surfaces()[s].flipped == (eye_side < 0);
+  }
+  /// A region in which the surfaces of `on` are seen that are opaque from the eye's side; none: nothing is.
+  void see(Regions::Region region, std::span<const SurfaceId> on, Sign eye_side);
+};
+
+/// A way to find out what is seen.
+class Engine {
+ public:
+  explicit Engine(const Scene& scene, const PlaneTable& planes) : view(scene, planes) {}
+  virtual ~Engine() = default;
+  virtual std::unique_ptr<Engine> copy() const = 0;
+  /// For a new eye: the view's table has it already.
+  virtual void begin() = 0;
+  /// Fills the region with fragments. `ahead` is a direction inside of the region's half space: what lies behind the
+  /// plane through the eye that it is normal to is not in the region.
+  virtual void fill(Regions::Region region, const glm::dvec3& ahead) = 0;
+
+  View view;
+};
+
+}  // namespace sightline

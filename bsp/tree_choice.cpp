@@ -1,0 +1,148 @@
+#include "bsp/tree_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace sightline {
+namespace {
+
+constexpr std::size_t looked_at = 64;   // pieces among which candidates are chosen by area
+constexpr std::size_t candidates = 12;  // planes judged
+constexpr std::size_t counted = 192;    // pieces on which each is judged
+constexpr double flat = 0x1p-40;        // unit length below which a piece counts as lying in a plane
+constexpr std::size_t bins = 128;       // for gaps
+constexpr std::size_t gaps_from = 8;    // pieces from which gaps are looked for
+
+constexpr double weight_split = 8.0;    // per piece cut, as part of all
+constexpr double weight_area = 1.0;     // pieces on each side, weighted by the surface of that side
+constexpr double weight_cover = 0.3;    // opaque part of the cut
+
+double surface(const glm::dvec3& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
+
+}  // namespace
+
+double TreeChoice::area(const Piece& piece) const {
+  const auto corner = pieces_.corners(piece);
+  glm::dvec3 sum{0, 0, 0};
+  for (std::size_t k = 2; k < corner.size(); ++k) {
+    sum += glm::cross(corner[k - 1].place.approx - corner[0].place.approx,
+                      corner[k].place.approx - corner[0].place.approx);
+  }
+  return glm::length(sum) / 2;
+}
+
+TreeChoice::Count TreeChoice::count(std::span<const Piece> here, std::size_t stride, PlaneId plane) const {
+  Count n;
+  const ApproxPlane& p = planes_.approx(plane);
+  for (std::size_t k = 0; k < here.size(); k += stride) {
+    const Piece& piece = here[k];
+    if (piece.plane == plane) {
+      n.on += 1;
+      n.covered += area(piece);
+      continue;
+    }
+    double middle = -p.d, reach = 0;
+    for (int i = 0; i < 3; ++i) {
+      middle += p.n[i] * (piece.low[i] + piece.high[i]) * 0.5;
+      reach += std::abs(p.n[i]) * (piece.high[i] - piece.low[i]) * 0.5;
+    }
+    bool behind = middle < reach - flat, front = middle > flat - reach;
+    if (behind && front && planes_.axis(plane) < 0) {
+      behind = front = false;
+      for (const PieceCorner& c : pieces_.corners(piece)) {
+        const double s = p.n[0] * c.place.approx.x + p.n[1] * c.place.approx.y + p.n[2] * c.place.approx.z - p.d;
+        behind |= s < -flat;
+        front |= s > flat;
+      }
+    }
+    (behind == front ? n.split : behind ? n.behind : n.front) += 1;
+  }
+  return n;
+}
+
+double TreeChoice::cost(const Count& n, const TreeBox& box, PlaneId plane) const {
+  const ApproxPlane& p = planes_.approx(plane);
+  const glm::dvec3 size = box.high - box.low;
+  int k = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(p.n[i]) > std::abs(p.n[k])) k = i;
+  }
+  const glm::dvec3 middle = (box.low + box.high) * 0.5;
+  const double at = (p.d - p.n[(k + 1) % 3] * middle[(k + 1) % 3] - p.n[(k + 2) % 3] * middle[(k + 2) % 3]) / p.n[k];
+  glm::dvec3 below = size, above = size;
+  below[k] = std::clamp(at - box.low[k], 0.0, size[k]);
+  above[k] = size[k] - below[k];
+  const double all = surface(size);
+  double behind = all > 0 ? surface(below) / all : 0.5, front = all > 0 ? surface(above) / all : 0.5;
+  if (p.n[k] < 0) std::swap(behind, front);
+  const double total = n.behind + n.front + n.split + n.on;
+  const double section = size[(k + 1) % 3] * size[(k + 2) % 3] / std::abs(p.n[k]);
+  const double cover = section > 0 ? std::min(1.0, n.covered / section) : 1.0;
+  return weight_split * n.split / total +
+         weight_area * (behind * (n.behind + n.split) + front * (n.front + n.split)) / total - weight_cover * cover;
+}
+
+/// Along each axis the boxes cover bins; an empty bin between two covered ones is a gap.
+void TreeChoice::find_gap(std::span<const Piece> here, const TreeBox& box, TreeCut& cut, double& least) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = box.low[axis], size = box.high[axis] - low;
+    if (!(size > 0x1p-30)) continue;
+    enter_.assign(bins + 1, 0);
+    leave_.assign(bins + 1, 0);
+    const double scale = static_cast<double>(bins) / size;
+    const auto bin = [&](double x) {
+      return static_cast<std::size_t>(std::clamp((x - low) * scale, 0.0, static_cast<double>(bins - 1)));
+    };
+    for (const Piece& p : here) {
+      ++enter_[bin(p.low[axis])];
+      ++leave_[bin(p.high[axis]) + 1];
+    }
+    std::size_t begun = 0, ended = 0;
+    for (std::size_t k = 0; k < bins; ++k) {
+      begun += enter_[k];
+      ended += leave_[k];
+      if (begun != ended || begun == 0 || begun == here.size()) continue;
+      // The bin is empty: whoever stands in it would have begun and not ended.
+      const double at = low + (static_cast<double>(k) + 0.5) / scale;
+      glm::dvec3 below = box.high - box.low, above = below;
+      below[axis] = at - low;
+      above[axis] = box.high[axis] - at;
+      const double all = surface(box.high - box.low), total = static_cast<double>(here.size());
+      const double now = weight_area *
+                         (surface(below) * static_cast<double>(begun) +
+                          surface(above) * (total - static_cast<double>(begun))) / (all * total);
+      if (now >= least) continue;
+      least = now;
+      cut = {none, axis, at};
+    }
+  }
+}
+
+TreeCut TreeChoice::choose(std::span<const Piece> here, const TreeBox& box) {
+  TreeCut best{here[0].plane, 0, 0};
+  if (here.size() == 1) return best;
+  candidates_.clear();
+  const std::size_t step = here.size() / looked_at + 1;
+  for (std::size_t k = 0; k < here.size(); k += step) candidates_.push_back({-area(here[k]), here[k].plane});
+  if (candidates_.size() > candidates) {
+    std::nth_element(candidates_.begin(), candidates_.begin() + candidates, candidates_.end());
+    candidates_.resize(candidates);
+  }
+  std::sort(candidates_.begin(), candidates_.end(), [](auto& a, auto& b) { return a.second < b.second; });
+  const auto last = std::unique(candidates_.begin(), candidates_.end(), [](auto& a, auto& b) { return a.second == b.second; });
+  candidates_.erase(last, candidates_.end());
+  const std::size_t stride = here.size() / counted + 1;
+  double least = INFINITY;
+  for (const auto& [negative, plane] : candidates_) {
+    const double now = cost(count(here, stride, plane), box, plane);
+    if (now >= least) continue;
+    least = now;
+    best = {plane, 0, 0};
+  }
+  if (here.size() >= gaps_from) find_gap(here, box, best, least);
+  return best;
+}
+
+}  // namespace sightline

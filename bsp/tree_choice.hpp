@@ -1,0 +1,37 @@
+// Where to divide a node of a polygon tree.
+#pragma once
+
+#include "bsp/pieces.hpp"
+#include "bsp/tree.hpp"
+
+namespace sightline {
+
+struct TreeCut {
+  PlaneId plane = none;  // of a piece
+  int axis = 0;          // or else x[axis] = at, which no piece meets
+  double at = 0;
+};
+
+/// Cuts that divide few pieces, leave both sides alike, and hide much; cuts in free space where there is room. Work is
+/// linear in the pieces. Heuristic throughout: whatever it answers, the tree is right.
+class TreeChoice {
+ public:
+  TreeChoice(const PlaneTable& planes, const Pieces& pieces) : planes_(planes), pieces_(pieces) {}
+  TreeCut choose(std::span<const Piece> here, const TreeBox& box);
+
+ private:
+  struct Count {
+    double behind = 0, front = 0, on = 0, split = 0, covered = 0;
+  };
+  Count count(std::span<const Piece> here, std::size_t stride, PlaneId plane) const;
+  double cost(const Count& n, const TreeBox& box, PlaneId plane) const;
+  double area(const Piece& piece) const;
+  void find_gap(std::span<const Piece> here, const TreeBox& box, TreeCut& cut, double& least);
+
+  const PlaneTable& planes_;
+  const Pieces& pieces_;
+  std::vector<std::pair<double, PlaneId>> candidates_;
+  std::vector<std::uint32_t> enter_, leave_;
+};
+
+}  // namespace sightline
