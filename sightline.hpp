@@ -3,6 +3,7 @@
 
 #include "beam/trace.hpp"
 #include "bsp/build.hpp"
+#include "bsp/tree.hpp"
 #include "exact/grid.hpp"
 #include "exact/limbs.hpp"
 #include "exact/plane_table.hpp"

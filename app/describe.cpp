@@ -34,7 +34,9 @@ std::string describe(const Scene& scene) {
 }
 
 std::string describe(const ComplexFigures& c) {
-  std::string text = "complex: " + counted(c.cells, "cell") + ", " + counted(c.faces, "face");
+  std::string text = c.nodes == 0 ? "complex: " + counted(c.cells, "cell") + ", " + counted(c.faces, "face")
+                                  : "tree: " + counted(c.nodes, "node") + ", " + counted(c.pieces, "piece");
+  if (c.lazy) return text + " so far, divided only where a camera looks";
   if (!c.from_file) text += ", built in " + number(c.seconds) + " s";
   return text;
 }

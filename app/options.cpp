@@ -11,7 +11,7 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--threads", options.threads, "Threads to use (default: one a processor)")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  command.add_option("--engine", options.engine, "Algorithm: cells, front-to-back or hybrid")
+  command.add_option("--engine", options.engine, "Algorithm: front-to-back, cells or hybrid")
       ->type_name("NAME")
       ->capture_default_str();
   command.add_option("--report", options.report, "Write times, counts and decision tallies to this JSON file")
@@ -29,11 +29,11 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 }
 
 void check(CommonOptions& options) {
-  if (options.engine == "front-to-back" || options.engine == "hybrid") {
-    throw UsageError("--engine " + options.engine + ": not in this version, which has only the engine 'cells'");
+  if (options.engine == "hybrid") {
+    throw UsageError("--engine hybrid: not in this version, which has 'front-to-back' and 'cells'");
   }
-  if (options.engine != "cells") {
-    throw UsageError("--engine " + options.engine + ": no such engine (cells, front-to-back, hybrid)");
+  if (options.engine != "cells" && options.engine != "front-to-back") {
+    throw UsageError("--engine " + options.engine + ": no such engine (front-to-back, cells, hybrid)");
   }
   if (options.threads == 0) options.threads = std::max(1u, std::thread::hardware_concurrency());
 }

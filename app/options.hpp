@@ -15,7 +15,7 @@ struct CommonOptions {
   std::string snap;
   bool one_sided = false;
   unsigned threads = 0;  // 0: one a processor
-  std::string engine = "cells";
+  std::string engine = "front-to-back";
   std::filesystem::path report;
   bool quiet = false;
   bool json = false;

@@ -43,7 +43,8 @@ Json scene_json(const Scene& scene) {
 
 Json complex_json(const ComplexFigures& c) {
   return {{"seconds", c.seconds}, {"from_file", c.from_file}, {"cells", c.cells}, {"faces", c.faces},
-          {"edges", c.edges},     {"vertices", c.vertices},   {"pairs", c.pairs}, {"bytes", c.bytes}};
+          {"edges", c.edges},     {"vertices", c.vertices},   {"pairs", c.pairs}, {"bytes", c.bytes},
+          {"lazy", c.lazy},       {"nodes", c.nodes},         {"pieces", c.pieces}};
 }
 
 Json camera_json(std::size_t index, const CameraFigures& c) {
@@ -71,6 +72,16 @@ ComplexFigures figures_of(const Complex& complex) {
   f.vertices = complex.vertices.size();
   f.pairs = complex.pairs.size();
   f.bytes = complex_bytes(complex);
+  return f;
+}
+
+ComplexFigures figures_of(const BspTree& tree) {
+  ComplexFigures f;
+  const BspTree::Size size = tree.size();
+  f.cells = size.nodes + 1;  // regions into which the nodes part space
+  f.nodes = size.nodes;
+  f.pieces = size.pieces;
+  f.bytes = size.bytes;
   return f;
 }
 

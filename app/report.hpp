@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/options.hpp"
+#include "bsp/tree.hpp"
 #include "scene/scene.hpp"
 #include "winged_pair/complex.hpp"
 
@@ -11,12 +12,16 @@
 
 namespace sightline::app {
 
+/// Of the complex, or of the tree for an engine that needs no cells.
 struct ComplexFigures {
-  double seconds = 0;  // from a scene in memory to the complex; 0 when it was read from a file
+  double seconds = 0;  // from a scene in memory to the complex or tree; 0 when it was read from a file
   bool from_file = false;
+  bool lazy = false;  // divided only where a camera looked
+  std::size_t nodes = 0, pieces = 0;  // of the tree
   std::size_t cells = 0, faces = 0, edges = 0, vertices = 0, pairs = 0, bytes = 0;
 };
 ComplexFigures figures_of(const Complex& complex);
+ComplexFigures figures_of(const BspTree& tree);
 
 struct CameraFigures {
   double seconds = 0;  // from a camera to its finished map in memory

@@ -89,7 +89,7 @@ CameraFigures camera_figures(const TraceStats& s) {
 }
 
 /// Traces all cameras and writes their maps; a camera that fails leaves its reason in its figures.
-std::vector<CameraFigures> trace_all(const Scene& scene, const Complex& complex, const std::vector<Camera>& cameras,
+std::vector<CameraFigures> trace_all(const Tracer& prepared, const Scene& scene, const std::vector<Camera>& cameras,
                                      MapWriter& writer, const CommonOptions& options) {
   struct Worker {
     std::optional<Tracer> tracer;
@@ -97,7 +97,6 @@ std::vector<CameraFigures> trace_all(const Scene& scene, const Complex& complex,
   };
   std::vector<CameraFigures> figures(cameras.size());
   Progress progress("tracing", cameras.size(), options.quiet);
-  const Tracer prepared(scene, complex);
   tbb::enumerable_thread_specific<Worker> workers;
   const auto trace_one = [&](std::size_t k) {
     Worker& worker = workers.local();
@@ -119,6 +118,22 @@ std::vector<CameraFigures> trace_all(const Scene& scene, const Complex& complex,
   return figures;
 }
 
+constexpr std::size_t few_cameras = 16;  // below this many a tree is divided only where they look
+
+/// The complex of a .wp file, or one built now; with its figures.
+ComplexFigures complex_of(Input& input) {
+  if (input.complex) {
+    ComplexFigures figures = figures_of(*input.complex);
+    figures.from_file = true;
+    return figures;
+  }
+  BuildStats stats;
+  input.complex = build(input.scene, {}, &stats);
+  ComplexFigures figures = figures_of(*input.complex);
+  figures.seconds = stats.seconds;
+  return figures;
+}
+
 int trace_cameras(TraceCommand& command) {
   check(command.common);
   const std::set<std::string> formats = checked_formats(command.formats);
@@ -130,19 +145,22 @@ int trace_cameras(TraceCommand& command) {
   tell(describe(input.scene), command.common.quiet);
 
   Report report{"trace", input.scene, {}, {}, 0, done};
-  if (input.complex) {
-    report.complex = figures_of(*input.complex);
-    report.complex->from_file = true;
+  std::optional<BspTree> tree;
+  if (command.common.engine == "cells") {
+    report.complex = complex_of(input);
   } else {
-    BuildStats stats;
-    input.complex = build(input.scene, {}, &stats);
-    report.complex = figures_of(*input.complex);
-    report.complex->seconds = stats.seconds;
+    const Stopwatch growing;
+    const bool lazy = cameras.size() < few_cameras;
+    tree.emplace(input.scene, TreeOptions{lazy});
+    report.complex = figures_of(*tree);
+    report.complex->seconds = growing.seconds();
+    report.complex->lazy = lazy;
   }
   tell(describe(*report.complex), command.common.quiet);
 
   MapWriter writer(command.folder, formats, cameras.size());
-  report.cameras = trace_all(input.scene, *input.complex, cameras, writer, command.common);
+  const Tracer tracer = tree ? Tracer(*tree) : Tracer(input.scene, *input.complex);
+  report.cameras = trace_all(tracer, input.scene, cameras, writer, command.common);
   writer.finish();
   std::size_t failed = 0;
   for (std::size_t k = 0; k < cameras.size(); ++k) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "beam/frame.hpp"
+
 namespace sightline {
 namespace {
 
@@ -16,29 +18,38 @@ class FrontToBack : public Engine {
   void fill(Regions::Region region, const glm::dvec3& ahead) override;
 
  private:
+  /// A region still open, with its bounds in the frame.
+  struct Open {
+    Regions::Region region;
+    FrameBox bounds;
+  };
   /// Open regions stand on a stack; a node is given those from `first` up, and leaves there what remains of them.
   void visit(TreeNode& node, std::size_t first);
   void descend(TreeNode* child, std::size_t first);
   Sign eye_side(const TreeNode& node);
   bool may_meet(Regions::Region region, const TreeBox& box) const;
-  bool behind(const TreeBox& box) const;
   void outline(const TreePiece& piece, Sign eye);
+  bool carve(const Open& open, const TreePiece& piece, Sign eye, Regions::Region& inside);
+  void open_rest(const FrameBox& within);
   void take_out(const TreePiece& piece, Sign eye, std::size_t first);
   void take_out_of_plane(const TreeNode& node, Sign eye, std::size_t first);
 
   /// What has been seen in the plane of a node that carries more than one piece.
   struct Seen {
-    Regions::Region region;
-    std::vector<const TreePiece*> on;
+    Open open;
+    std::uint32_t first, count;  // in seen_on_
   };
 
   const BspTree& tree_;
-  glm::dvec3 eye_{0}, ahead_{0};
+  Frame frame_;
+  glm::dvec3 eye_{0};
   double doubt_ = 0;
-  std::vector<Regions::Region> open_, parts_;
-  std::vector<SightlineRef> lines_;
+  std::vector<Open> open_;
+  std::vector<Regions::Region> parts_;
+  FrameBox piece_bounds_;             // of the piece looked at
+  std::vector<SightlineRef> lines_;  // its outline, once it is needed
   std::vector<Seen> seen_;
-  std::vector<SurfaceId> surfaces_;
+  std::vector<SurfaceId> seen_on_;
 };
 
 void FrontToBack::begin() {
@@ -46,11 +57,6 @@ void FrontToBack::begin() {
   // Boxes hold what they bound, rounding included. Values n.(x - eye) are of size 6 S at most, S the larger of 1 and the
   // eye's reach; data carry 2^-53 of that, and three products and sums as much again: far below 2^-44 S.
   doubt_ = 0x1p-44 * std::max({1.0, std::abs(eye_.x), std::abs(eye_.y), std::abs(eye_.z)});
-}
-
-bool FrontToBack::behind(const TreeBox& box) const {
-  const glm::dvec3 middle = (box.low + box.high) * 0.5 - eye_, half = (box.high - box.low) * 0.5;
-  return glm::dot(ahead_, middle) + glm::dot(glm::abs(ahead_), half) < -doubt_;
 }
 
 /// Conservative: does some side of the region part it from the box?
@@ -83,71 +89,85 @@ void FrontToBack::outline(const TreePiece& piece, Sign eye) {
   }
 }
 
-void FrontToBack::take_out(const TreePiece& piece, Sign eye, std::size_t first) {
-  if (!view.opaque(piece.surface, eye)) return;
-  lines_.clear();
+bool FrontToBack::carve(const Open& open, const TreePiece& piece, Sign eye, Regions::Region& inside) {
   parts_.clear();
-  std::size_t kept = first;
-  for (std::size_t k = first; k < open_.size(); ++k) {
-    const Regions::Region region = open_[k];
-    Regions::Region inside;
-    if (may_meet(region, piece.box)) {
-      if (lines_.empty()) outline(piece, eye);
-      if (view.regions.carve(view.table, region, lines_, inside, parts_)) {
-        view.see(inside, {&piece.surface, 1}, eye);
-        continue;
-      }
-    }
-    open_[kept++] = region;
+  if (!open.bounds.meets(piece_bounds_) || !may_meet(open.region, piece.box)) return false;
+  if (lines_.empty()) outline(piece, eye);
+  return view.regions.carve(view.table, open.region, lines_, inside, parts_);
+}
+
+/// What a carved region leaves stays open.
+void FrontToBack::open_rest(const FrameBox& within) {
+  for (const Regions::Region part : parts_) {
+    open_.push_back({part, frame_.bounds(view.regions.sides(part)).common(within)});
   }
-  open_.resize(kept);
-  open_.insert(open_.end(), parts_.begin(), parts_.end());
+}
+
+void FrontToBack::take_out(const TreePiece& piece, Sign eye, std::size_t first) {
+  if (!view.opaque(piece.surface, eye) || !frame_.bounds(piece.box, piece_bounds_)) return;
+  lines_.clear();
+  std::size_t kept = first;
+  const std::size_t end = open_.size();
+  for (std::size_t k = first; k < end; ++k) {
+    const Open open = open_[k];
+    Regions::Region inside;
+    if (carve(open, piece, eye, inside)) {
+      view.see(inside, {&piece.surface, 1}, eye);
+      open_rest(open.bounds);
+    } else {
+      open_[kept++] = open;
+    }
+  }
+  const auto begin = open_.begin();
+  open_.erase(begin + static_cast<std::ptrdiff_t>(kept), begin + static_cast<std::ptrdiff_t>(end));
 }
 
 /// Pieces that share a plane may cover one another: what was seen of one is cut by those that come after it.
 void FrontToBack::take_out_of_plane(const TreeNode& node, Sign eye, std::size_t first) {
   seen_.clear();
+  seen_on_.clear();
   for (const TreePiece& piece : node.pieces) {
-    if (!view.opaque(piece.surface, eye)) continue;
+    if (!view.opaque(piece.surface, eye) || !frame_.bounds(piece.box, piece_bounds_)) continue;
     lines_.clear();
-    const auto carve = [&](Regions::Region region, Regions::Region& inside) {
-      if (!may_meet(region, piece.box)) return false;
-      if (lines_.empty()) outline(piece, eye);
-      return view.regions.carve(view.table, region, lines_, inside, parts_);
-    };
     Regions::Region inside;
     for (std::size_t k = 0, n = seen_.size(); k < n; ++k) {
-      parts_.clear();
-      if (!carve(seen_[k].region, inside)) continue;
-      for (const Regions::Region part : parts_) seen_.push_back({part, seen_[k].on});
-      seen_[k].region = inside;
-      seen_[k].on.push_back(&piece);
+      const Seen whole = seen_[k];
+      if (!carve(whole.open, piece, eye, inside)) continue;
+      for (const Regions::Region part : parts_) seen_.push_back({{part, whole.open.bounds}, whole.first, whole.count});
+      const auto on = static_cast<std::uint32_t>(seen_on_.size());
+      for (std::uint32_t i = 0; i < whole.count; ++i) seen_on_.push_back(seen_on_[whole.first + i]);
+      seen_on_.push_back(piece.surface);
+      seen_[k] = {{inside, whole.open.bounds}, on, whole.count + 1};
     }
-    parts_.clear();
     std::size_t kept = first;
-    for (std::size_t k = first; k < open_.size(); ++k) {
-      if (carve(open_[k], inside)) {
-        seen_.push_back({inside, {&piece}});
+    const std::size_t end = open_.size();
+    for (std::size_t k = first; k < end; ++k) {
+      const Open open = open_[k];
+      if (carve(open, piece, eye, inside)) {
+        seen_.push_back({{inside, open.bounds}, static_cast<std::uint32_t>(seen_on_.size()), 1});
+        seen_on_.push_back(piece.surface);
+        open_rest(open.bounds);
       } else {
-        open_[kept++] = open_[k];
+        open_[kept++] = open;
       }
     }
-    open_.resize(kept);
-    open_.insert(open_.end(), parts_.begin(), parts_.end());
+    const auto begin = open_.begin();
+    open_.erase(begin + static_cast<std::ptrdiff_t>(kept), begin + static_cast<std::ptrdiff_t>(end));
   }
   for (const Seen& seen : seen_) {
-    surfaces_.clear();
-    for (const TreePiece* piece : seen.on) surfaces_.push_back(piece->surface);
-    view.see(seen.region, surfaces_, eye);
+    view.see(seen.open.region, std::span(seen_on_).subspan(seen.first, seen.count), eye);
   }
 }
 
 void FrontToBack::descend(TreeNode* child, std::size_t first) {
-  if (!child || first == open_.size() || behind(child->box)) return;
+  FrameBox bounds;
+  if (!child || first == open_.size() || !frame_.bounds(child->box, bounds)) return;
   // Regions that the box cannot be seen in go first, out of the way.
   const auto begin = open_.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto reached =
-      std::partition(begin, open_.end(), [&](Regions::Region r) { return !may_meet(r, child->box); });
+  const bool around = !bounds.bounded();  // a box around the eye: only the regions' sides tell
+  const auto reached = std::partition(begin, open_.end(), [&](const Open& o) {
+    return !o.bounds.meets(bounds) || (around && !may_meet(o.region, child->box));
+  });
   if (reached != open_.end()) visit(*child, static_cast<std::size_t>(reached - open_.begin()));
 }
 
@@ -167,11 +187,11 @@ void FrontToBack::visit(TreeNode& node, std::size_t first) {
 }
 
 void FrontToBack::fill(Regions::Region region, const glm::dvec3& ahead) {
-  ahead_ = ahead;
-  open_.assign(1, region);
+  frame_.set(eye_, ahead, doubt_);
+  open_.assign(1, {region, frame_.bounds(view.regions.sides(region))});
   const std::size_t before = view.fragments.fragments.size();
   descend(tree_.root(), 0);
-  for (const Regions::Region left : open_) view.see(left, {}, 0);
+  for (const Open& left : open_) view.see(left.region, {}, 0);
   view.beams += static_cast<std::uint32_t>(view.fragments.fragments.size() - before);
 }
 

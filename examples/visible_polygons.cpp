@@ -18,8 +18,8 @@ std::string object_name(const Scene& scene, PolygonId polygon) {
 }
 
 void print_views(const Scene& scene, const std::vector<Camera>& cameras) {
-  const Complex complex = build(scene);
-  Tracer tracer(scene, complex);
+  const BspTree tree(scene);
+  Tracer tracer(tree);
   VisibilityMap map;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
     tracer.trace(cameras[k], map);

@@ -52,7 +52,6 @@ TEST(Usage, WrongUsageIsOneLineAndExitCode2) {
       with(trace, {"--format", "map,,svg"}),
       with(trace, {"--format"}),
       with(trace, {"--engine", "fast"}),
-      with(trace, {"--engine", "front-to-back"}),
       with(trace, {"--engine", "hybrid"}),
       {"verify"},
   };

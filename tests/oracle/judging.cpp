@@ -9,6 +9,7 @@
 #include "bsp/build.hpp"
 #include "scene/read.hpp"
 #include "tests/oracle/exact_map.hpp"
+#include "visibility_map/write.hpp"
 #include "winged_pair/check.hpp"
 
 namespace sightline::oracle {
@@ -59,6 +60,10 @@ std::string judge(const Case& sample) {
     add(check(complex, scene));
     VisibilityMap map;
     Tracer(scene, complex).trace(sample.camera, map);
+    VisibilityMap other;
+    const BspTree tree(scene);
+    Tracer(tree).trace(sample.camera, other);
+    if (map_json(map, scene) != map_json(other, scene)) all += "the engines differ\n";
     // Which side of a polygon that crosses itself is its front is not defined.
     if (scene.options().one_sided && scene.report().self_crossing > 0) return all;
     add(differences(oracle_map(scene, sample.camera), exact_map(scene, map)));
