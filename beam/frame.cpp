@@ -43,6 +43,9 @@ void Frame::set(const glm::dvec3& eye, const glm::dvec3& ahead, double doubt) {
   const glm::dvec3 other = a.x <= a.y && a.x <= a.z ? glm::dvec3{1, 0, 0} : a.y <= a.z ? glm::dvec3{0, 1, 0} : glm::dvec3{0, 0, 1};
   x_ = glm::normalize(glm::cross(z_, other));
   y_ = glm::cross(z_, x_);
+  abs_x_ = glm::abs(x_);
+  abs_y_ = glm::abs(y_);
+  abs_z_ = glm::abs(z_);
 }
 
 /// Corners are products of lines' normals, components at most 2 and within 2^-49; so are their products with the axes,
@@ -58,24 +61,21 @@ FrameBox Frame::bounds(std::span<const RegionSide> region) const {
   return all.box(doubt);
 }
 
+/// From the ranges of the three coordinates, each by itself: a little wider than what is seen, and quick.
 bool Frame::bounds(const TreeBox& box, FrameBox& out) const {
-  const glm::dvec3 at = box.low - eye_, size = box.high - box.low;
-  const double z0 = glm::dot(z_, at);
-  const glm::dvec3 dz = z_ * size;
-  const double least = z0 + std::min(dz.x, 0.0) + std::min(dz.y, 0.0) + std::min(dz.z, 0.0);
-  const double most = z0 + std::max(dz.x, 0.0) + std::max(dz.y, 0.0) + std::max(dz.z, 0.0);
-  if (most < -doubt_) return false;
-  out = FrameBox::everything();
-  if (least <= 4 * doubt_) return true;
-  const double x0 = glm::dot(x_, at), y0 = glm::dot(y_, at);
-  const glm::dvec3 dx = x_ * size, dy = y_ * size;
-  Gatherer all;
-  for (int corner = 0; corner < 8; ++corner) {
-    const double i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-    all.add(x0 + i * dx.x + j * dx.y + k * dx.z, y0 + i * dy.x + j * dy.y + k * dy.z,
-            z0 + i * dz.x + j * dz.y + k * dz.z);
+  const glm::dvec3 at = box.middle - eye_;
+  const double z = glm::dot(z_, at), dz = glm::dot(abs_z_, box.half) + 2 * doubt_;
+  if (z + dz < 0) return false;
+  const double least = z - dz;
+  if (least <= 0) {
+    out = FrameBox::everything();
+    return true;
   }
-  out = all.box(doubt_);
+  const double near = (1 + 0x1p-22) / least, far = (1 - 0x1p-22) / (z + dz);
+  const double x = glm::dot(x_, at), dx = glm::dot(abs_x_, box.half) + 2 * doubt_;
+  const double y = glm::dot(y_, at), dy = glm::dot(abs_y_, box.half) + 2 * doubt_;
+  const auto low = [&](double v) { return static_cast<float>(v * (v < 0 ? near : far)); };
+  out = {{low(x - dx), low(y - dy), low(-x - dx), low(-y - dy)}};
   return true;
 }
 

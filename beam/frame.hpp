@@ -40,7 +40,7 @@ class Frame {
   bool bounds(const TreeBox& box, FrameBox& out) const;
 
  private:
-  glm::dvec3 eye_{0}, x_{0}, y_{0}, z_{0};
+  glm::dvec3 eye_{0}, x_{0}, y_{0}, z_{0}, abs_x_{0}, abs_y_{0}, abs_z_{0};
   double doubt_ = 0;  // of a product of an axis and a difference from the eye
 };
 

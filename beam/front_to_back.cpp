@@ -29,6 +29,7 @@ class FrontToBack : public Engine {
   Sign eye_side(const TreeNode& node);
   bool may_meet(Regions::Region region, const TreeBox& box) const;
   void outline(const TreePiece& piece, Sign eye);
+  bool in_sight(const TreeBox& box, std::size_t first);
   bool carve(const Open& open, const TreePiece& piece, Sign eye, Regions::Region& inside);
   void open_rest(const FrameBox& within);
   void take_out(const TreePiece& piece, Sign eye, std::size_t first);
@@ -61,10 +62,10 @@ void FrontToBack::begin() {
 
 /// Conservative: does some side of the region part it from the box?
 bool FrontToBack::may_meet(Regions::Region region, const TreeBox& box) const {
-  const glm::dvec3 middle = (box.low + box.high) * 0.5 - eye_, half = (box.high - box.low) * 0.5;
+  const glm::dvec3 at = box.middle - eye_;
   for (const RegionSide& side : view.regions.sides(region)) {
     const glm::dvec3& n = view.table.approx(side.line.id);
-    const double most = side.line.sign * glm::dot(n, middle) + glm::dot(glm::abs(n), half);
+    const double most = side.line.sign * glm::dot(n, at) + glm::dot(glm::abs(n), box.half);
     if (most < -doubt_) return false;
   }
   return true;
@@ -89,6 +90,18 @@ void FrontToBack::outline(const TreePiece& piece, Sign eye) {
   }
 }
 
+/// May the box meet an open region, or one in which a piece of this node has been seen? Leaves its bounds behind.
+bool FrontToBack::in_sight(const TreeBox& box, std::size_t first) {
+  if (!frame_.bounds(box, piece_bounds_)) return false;
+  for (std::size_t k = first; k < open_.size(); ++k) {
+    if (open_[k].bounds.meets(piece_bounds_)) return true;
+  }
+  for (const Seen& seen : seen_) {
+    if (seen.open.bounds.meets(piece_bounds_)) return true;
+  }
+  return false;
+}
+
 bool FrontToBack::carve(const Open& open, const TreePiece& piece, Sign eye, Regions::Region& inside) {
   parts_.clear();
   if (!open.bounds.meets(piece_bounds_) || !may_meet(open.region, piece.box)) return false;
@@ -104,7 +117,7 @@ void FrontToBack::open_rest(const FrameBox& within) {
 }
 
 void FrontToBack::take_out(const TreePiece& piece, Sign eye, std::size_t first) {
-  if (!view.opaque(piece.surface, eye) || !frame_.bounds(piece.box, piece_bounds_)) return;
+  if (!view.opaque(piece.surface, eye) || !in_sight(piece.box, first)) return;
   lines_.clear();
   std::size_t kept = first;
   const std::size_t end = open_.size();
@@ -124,10 +137,13 @@ void FrontToBack::take_out(const TreePiece& piece, Sign eye, std::size_t first) 
 
 /// Pieces that share a plane may cover one another: what was seen of one is cut by those that come after it.
 void FrontToBack::take_out_of_plane(const TreeNode& node, Sign eye, std::size_t first) {
-  seen_.clear();
-  seen_on_.clear();
-  for (const TreePiece& piece : node.pieces) {
-    if (!view.opaque(piece.surface, eye) || !frame_.bounds(piece.box, piece_bounds_)) continue;
+  for (std::size_t i = 0; i < node.pieces.size(); ++i) {
+    if (i % tree_group == 0 && !node.groups.empty() && !in_sight(node.groups[i / tree_group], first)) {
+      i += tree_group - 1;
+      continue;
+    }
+    const TreePiece& piece = node.pieces[i];
+    if (!view.opaque(piece.surface, eye) || !in_sight(piece.box, first)) continue;
     lines_.clear();
     Regions::Region inside;
     for (std::size_t k = 0, n = seen_.size(); k < n; ++k) {
@@ -135,7 +151,7 @@ void FrontToBack::take_out_of_plane(const TreeNode& node, Sign eye, std::size_t 
       if (!carve(whole.open, piece, eye, inside)) continue;
       for (const Regions::Region part : parts_) seen_.push_back({{part, whole.open.bounds}, whole.first, whole.count});
       const auto on = static_cast<std::uint32_t>(seen_on_.size());
-      for (std::uint32_t i = 0; i < whole.count; ++i) seen_on_.push_back(seen_on_[whole.first + i]);
+      for (std::uint32_t j = 0; j < whole.count; ++j) seen_on_.push_back(seen_on_[whole.first + j]);
       seen_on_.push_back(piece.surface);
       seen_[k] = {{inside, whole.open.bounds}, on, whole.count + 1};
     }
@@ -157,6 +173,8 @@ void FrontToBack::take_out_of_plane(const TreeNode& node, Sign eye, std::size_t 
   for (const Seen& seen : seen_) {
     view.see(seen.open.region, std::span(seen_on_).subspan(seen.first, seen.count), eye);
   }
+  seen_.clear();
+  seen_on_.clear();
 }
 
 void FrontToBack::descend(TreeNode* child, std::size_t first) {

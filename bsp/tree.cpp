@@ -35,9 +35,13 @@ class Store {
 // Corners of pieces are within 2^-48 of their doubles (the law of ImplicitVertex and PointTable).
 constexpr double slack = 0x1p-47;
 
-void widen(TreeBox& box, const Piece& piece) {
-  box.low = glm::min(box.low, piece.low - slack);
-  box.high = glm::max(box.high, piece.high + slack);
+TreeBox box_of(std::span<const Piece> pieces) {
+  glm::dvec3 low = pieces[0].low, high = pieces[0].high;
+  for (const Piece& p : pieces) {
+    low = glm::min(low, p.low);
+    high = glm::max(high, p.high);
+  }
+  return {(low + high) * 0.5, (high - low) * 0.5 + slack};
 }
 
 }  // namespace
@@ -54,8 +58,7 @@ struct BspTree::State {
     TreeNode* n = nodes.take(1);
     n->first = first;
     n->count = count;
-    n->box = {waiting[first].low, waiting[first].high};
-    for (std::size_t k = first; k < first + count; ++k) widen(n->box, waiting[k]);
+    n->box = box_of(std::span(waiting).subspan(first, count));
     return n;
   }
 
@@ -73,6 +76,7 @@ struct BspTree::State {
   Store<TreeNode> nodes;
   Store<TreePiece> kept;
   Store<TreeEdge> edges;
+  Store<TreeBox> boxes;
   TreeNode* root = nullptr;
   std::size_t node_count = 0, piece_count = 0;
   std::mutex mutex;
@@ -100,9 +104,18 @@ void BspTree::State::keep(TreeNode& n) {
         if (edge[i].inside == 0) edge[i].inside = pieces.side(c, side);
       }
     }
-    out[k] = {piece.surface, {edge, corners.size()}, {piece.low - slack, piece.high + slack}};
+    out[k] = {piece.surface, {edge, corners.size()}, box_of({&piece, 1})};
   }
   n.pieces = {out, on.size()};
+  if (on.size() > tree_group) {
+    const std::size_t count = (on.size() + tree_group - 1) / tree_group;
+    TreeBox* const group = boxes.take(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t first = k * tree_group;
+      group[k] = box_of(std::span(on).subspan(first, std::min(tree_group, on.size() - first)));
+    }
+    n.groups = {group, count};
+  }
   piece_count += on.size();
 }
 
@@ -208,7 +221,7 @@ void BspTree::divide(TreeNode& node) const {
 BspTree::Size BspTree::size() const {
   const std::lock_guard lock(state_->mutex);
   return {state_->node_count, state_->piece_count,
-          state_->nodes.bytes() + state_->kept.bytes() + state_->edges.bytes() +
+          state_->nodes.bytes() + state_->kept.bytes() + state_->edges.bytes() + state_->boxes.bytes() +
               state_->waiting.capacity() * sizeof(Piece)};
 }
 

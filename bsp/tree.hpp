@@ -19,7 +19,7 @@ struct TreeEdge {
 
 /// A box in unit coordinates that holds what it bounds, rounding included.
 struct TreeBox {
-  glm::dvec3 low, high;
+  glm::dvec3 middle, half;
 };
 
 /// A convex part of a surface.
@@ -29,6 +29,9 @@ struct TreePiece {
   TreeBox box;
 };
 
+/// Pieces of a node that share a box, so that they can be passed over together.
+inline constexpr std::size_t tree_group = 8;
+
 /// A node parts space by a plane: that of its pieces, or one in free space that meets no piece at all.
 struct TreeNode {
   TreeBox box;                         // of all pieces in it and below it
@@ -36,6 +39,7 @@ struct TreeNode {
   int axis = 0;
   double at = 0;  // pieces keep clear of it by more than all rounding
   std::span<const TreePiece> pieces;   // in the plane, ascending by surface
+  std::span<const TreeBox> groups;     // of `tree_group` pieces each; none where one would do
   TreeNode* child[2] = {};             // behind the plane and in front; null: nothing there
   std::atomic<bool> ready = false;     // whether it has been divided: what stands above but the box holds from then on
   std::size_t first = 0, count = 0;    // until then: the pieces that wait

@@ -64,15 +64,14 @@ TreeChoice::Count TreeChoice::count(std::span<const Piece> here, std::size_t str
 
 double TreeChoice::cost(const Count& n, const TreeBox& box, PlaneId plane) const {
   const ApproxPlane& p = planes_.approx(plane);
-  const glm::dvec3 size = box.high - box.low;
+  const glm::dvec3 size = box.half * 2.0;
   int k = 0;
   for (int i = 1; i < 3; ++i) {
     if (std::abs(p.n[i]) > std::abs(p.n[k])) k = i;
   }
-  const glm::dvec3 middle = (box.low + box.high) * 0.5;
-  const double at = (p.d - p.n[(k + 1) % 3] * middle[(k + 1) % 3] - p.n[(k + 2) % 3] * middle[(k + 2) % 3]) / p.n[k];
+  const double at = (p.d - p.n[(k + 1) % 3] * box.middle[(k + 1) % 3] - p.n[(k + 2) % 3] * box.middle[(k + 2) % 3]) / p.n[k];
   glm::dvec3 below = size, above = size;
-  below[k] = std::clamp(at - box.low[k], 0.0, size[k]);
+  below[k] = std::clamp(at - box.middle[k] + box.half[k], 0.0, size[k]);
   above[k] = size[k] - below[k];
   const double all = surface(size);
   double behind = all > 0 ? surface(below) / all : 0.5, front = all > 0 ? surface(above) / all : 0.5;
@@ -87,7 +86,7 @@ double TreeChoice::cost(const Count& n, const TreeBox& box, PlaneId plane) const
 /// Along each axis the boxes cover bins; an empty bin between two covered ones is a gap.
 void TreeChoice::find_gap(std::span<const Piece> here, const TreeBox& box, TreeCut& cut, double& least) {
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = box.low[axis], size = box.high[axis] - low;
+    const double size = 2 * box.half[axis], low = box.middle[axis] - box.half[axis];
     if (!(size > 0x1p-30)) continue;
     enter_.assign(bins + 1, 0);
     leave_.assign(bins + 1, 0);
@@ -106,10 +105,10 @@ void TreeChoice::find_gap(std::span<const Piece> here, const TreeBox& box, TreeC
       if (begun != ended || begun == 0 || begun == here.size()) continue;
       // The bin is empty: whoever stands in it would have begun and not ended.
       const double at = low + (static_cast<double>(k) + 0.5) / scale;
-      glm::dvec3 below = box.high - box.low, above = below;
+      glm::dvec3 below = box.half * 2.0, above = below;
       below[axis] = at - low;
-      above[axis] = box.high[axis] - at;
-      const double all = surface(box.high - box.low), total = static_cast<double>(here.size());
+      above[axis] = low + size - at;
+      const double all = surface(box.half * 2.0), total = static_cast<double>(here.size());
       const double now = weight_area *
                          (surface(below) * static_cast<double>(begun) +
                           surface(above) * (total - static_cast<double>(begun))) / (all * total);

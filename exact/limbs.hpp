@@ -25,7 +25,12 @@ inline std::uint32_t magnitude_bits(std::int64_t x) {
 }
 std::uint32_t long_magnitude_bits(const std::uint64_t* words, std::uint32_t count);
 inline std::uint32_t magnitude_bits(const std::uint64_t* words, std::uint32_t count) {
-  return count == 1 ? magnitude_bits(static_cast<std::int64_t>(words[0])) : long_magnitude_bits(words, count);
+  if (count == 1) return magnitude_bits(static_cast<std::int64_t>(words[0]));
+  // A number that begins with neither a word of zeros nor one of ones, as most do, has the length of what begins it: a
+  // negative one only if it is no power of two, which the words below would tell.
+  const std::uint64_t top = words[count - 1];
+  if (static_cast<std::int64_t>(top) > 0) return 64 * (count - 1) + static_cast<std::uint32_t>(std::bit_width(top));
+  return long_magnitude_bits(words, count);
 }
 std::uint32_t magnitude_bits(const Integer& x);
 /// Writes x as `count` two's complement words; it must fit.

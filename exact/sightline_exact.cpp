@@ -14,6 +14,13 @@ constexpr double u = 0x1p-53;  // unit roundoff
 // point - eye on the eye's grid; N words hold it.
 template <int N, class Eye>
 Wide3<N> from_eye(const PointTable& points, PointId p, const Eye& eye) {
+  if constexpr (N == 1) {
+    // The lowest words tell it all, since the result fits.
+    const std::uint64_t *w = points.words(p), *e = eye.words.data();
+    const std::uint32_t i = points.stride(), k = eye.stride;
+    return {Fixed<1>{{(w[0] << eye.shift) - e[0]}}, Fixed<1>{{(w[i] << eye.shift) - e[k]}},
+            Fixed<1>{{(w[2 * i] << eye.shift) - e[2 * k]}}};
+  }
   Wide3<N> r = load3<N>(points.words(p), points.stride());
   const Wide3<N> e = load3<N>(eye.words.data(), eye.stride);
   for (std::size_t k = 0; k < 3; ++k) r[k] = Wide<N>(scaled_up<N>(r[k], eye.shift) - e[k]);
@@ -119,10 +126,9 @@ SightlineRef SightlineTable::intern(std::uint64_t* words, std::uint32_t stride) 
   // The common factors of two go: they are many where the eye is finer than the grid. Never all words at a time.
   const std::uint64_t low = words[0] | words[stride] | words[2 * stride];
   if (const int twos = std::countr_zero(low); twos > 0 && twos < 64)
-    for (std::uint32_t i = 0; i < 3 * stride; ++i) {
-      const bool top = i % stride == stride - 1;
-      words[i] = top ? static_cast<std::uint64_t>(static_cast<std::int64_t>(words[i]) >> twos)
-                     : (words[i] >> twos) | (words[i + 1] << (64 - twos));
+    for (std::uint64_t* w = words; w != words + std::size_t{3} * stride; w += stride) {
+      for (std::uint32_t i = 0; i + 1 < stride; ++i) w[i] = (w[i] >> twos) | (w[i + 1] << (64 - twos));
+      w[stride - 1] = static_cast<std::uint64_t>(static_cast<std::int64_t>(w[stride - 1]) >> twos);
     }
   std::uint32_t bits = 0;
   for (std::uint32_t k = 0; k < 3; ++k) bits = std::max(bits, magnitude_bits(words + k * stride, stride));
@@ -131,8 +137,15 @@ SightlineRef SightlineTable::intern(std::uint64_t* words, std::uint32_t stride) 
   for (std::uint32_t k = 1; tight != stride && k < 3; ++k)
     std::copy(words + k * stride, words + k * stride + tight, words + k * tight);
   glm::dvec3 approx;
-  for (std::uint32_t k = 0; k < 3; ++k)
-    approx[static_cast<int>(k)] = words_to_double(words + k * tight, tight, -static_cast<int>(bits));
+  if (tight == 2) {
+    // A conversion rounds once; a factor of 2^-127 at most is exact.
+    const double power = std::bit_cast<double>(std::uint64_t{1023 - bits} << 52);
+    for (int k = 0; k < 3; ++k)
+      approx[k] = static_cast<double>(fixed_detail::to_int128({words[2 * k], words[2 * k + 1]})) * power;
+  } else {
+    for (std::uint32_t k = 0; k < 3; ++k)
+      approx[static_cast<int>(k)] = words_to_double(words + k * tight, tight, -static_cast<int>(bits));
+  }
   return find_or_add(words, bits, approx);
 }
 

@@ -87,12 +87,18 @@ SightlineRef SightlineTable::of_planes(PlaneId p, PlaneId q) {
 
 namespace {
 
-// Exact: the sign of the first component that is not zero. Equal lines differ by a factor; this fixes its sign.
-Sign leading_sign(const std::uint64_t* words, std::uint32_t stride) {
-  for (std::uint32_t k = 0; k < 3; ++k)
-    if (const Sign s = sign_of_words(words + k * stride, stride); s != 0) return s;
-  return 0;
-}
+// Signs of three components: of the exact words, or, where no rounding can have made a zero of one, of the doubles.
+struct Signs {
+  Sign of[3];
+  Sign leading;  // the first that is not zero: equal lines differ by a factor, and this fixes its sign
+  Signs(const std::uint64_t* words, std::uint32_t stride, const glm::dvec3& approx) {
+    for (int k = 0; k < 3; ++k) {
+      of[k] = stride < 16 ? (approx[k] > 0) - (approx[k] < 0)
+                          : sign_of_words(words + static_cast<std::uint32_t>(k) * stride, stride);
+    }
+    leading = of[0] != 0 ? of[0] : of[1] != 0 ? of[1] : of[2];
+  }
+};
 
 // The direction (up to sign) in fixed point, as cells of a grid over two coordinates, with the exact signs of the
 // components. x / |x|_1 of equal lines differ by rounding only: the components are within 2^-54 of the exact ones,
@@ -104,15 +110,14 @@ struct DirectionKey {
   std::int64_t s, t;               // fixed point
   std::uint64_t signs;
 
-  DirectionKey(const std::uint64_t* words, std::uint32_t stride, const glm::dvec3& approx, Sign leading) {
+  DirectionKey(const Signs& sign, const glm::dvec3& approx) {
     const double norm = std::abs(approx.x) + std::abs(approx.y) + std::abs(approx.z);
-    const double f = leading * scale / norm;
+    const double f = sign.leading * scale / norm;
     // Cell borders are moved away from the simple fractions that models are full of.
     s = static_cast<std::int64_t>(f * approx.x) + 0x5a3d;
     t = static_cast<std::int64_t>(f * approx.y) + 0x3c69;
     signs = 0;
-    for (std::uint32_t k = 0; k < 3; ++k)
-      signs = 3 * signs + static_cast<std::uint64_t>(leading * sign_of_words(words + k * stride, stride) + 1);
+    for (const Sign k : sign.of) signs = 3 * signs + static_cast<std::uint64_t>(sign.leading * k + 1);
   }
   std::uint64_t key(std::int64_t cell_s, std::int64_t cell_t) const {
     return (static_cast<std::uint64_t>(cell_s) * 0x9e3779b97f4a7c15u ^ static_cast<std::uint64_t>(cell_t)) *
@@ -125,8 +130,8 @@ struct DirectionKey {
 
 SightlineRef SightlineTable::find_or_add(const std::uint64_t* words, std::uint32_t bits, const glm::dvec3& approx) {
   const std::uint32_t stride = words_for(bits);
-  const Sign leading = leading_sign(words, stride);
-  const DirectionKey d(words, stride, approx, leading);
+  const Signs signs(words, stride, approx);
+  const DirectionKey d(signs, approx);
   constexpr std::int64_t slack = 2;
   const std::int64_t s0 = (d.s - slack) >> d.cell, s1 = (d.s + slack) >> d.cell;
   const std::int64_t t0 = (d.t - slack) >> d.cell, t1 = (d.t + slack) >> d.cell;
@@ -140,7 +145,7 @@ SightlineRef SightlineTable::find_or_add(const std::uint64_t* words, std::uint32
     for (std::int64_t t = t0; t <= t1 && found == none; ++t) by_direction_.find(d.key(s, t), same);
   if (found != none) {
     const Line& line = line_[found];
-    return {found, leading * leading_sign(words_.data() + line.first, words_for(line.bits))};
+    return {found, signs.leading * Signs(words_.data() + line.first, words_for(line.bits), approx_[found]).leading};
   }
   const SightlineId id = size();
   by_direction_.insert(d.key(d.s >> d.cell, d.t >> d.cell), id);
