@@ -64,8 +64,9 @@ void FrontToBack::begin() {
 bool FrontToBack::may_meet(Regions::Region region, const TreeBox& box) const {
   const glm::dvec3 at = box.middle - eye_;
   for (const RegionSide& side : view.regions.sides(region)) {
-    const glm::dvec3& n = view.table.approx(side.line.id);
-    const double most = side.line.sign * glm::dot(n, at) + glm::dot(glm::abs(n), box.half);
+    const glm::dvec3& n = side.normal;
+    const double most = n.x * at.x + n.y * at.y + n.z * at.z + std::abs(n.x) * box.half.x +
+                        std::abs(n.y) * box.half.y + std::abs(n.z) * box.half.z;
     if (most < -doubt_) return false;
   }
   return true;

@@ -11,10 +11,6 @@ glm::dvec3 inward(const SightlineTable& table, SightlineRef line) {
   return table.approx(line.id) * static_cast<double>(line.sign);
 }
 
-glm::dvec3 corner(const SightlineTable& table, SightlineRef here, SightlineRef next) {
-  return glm::cross(inward(table, next), inward(table, here));
-}
-
 // filter_order with the cross product of the first two taken beforehand: the same roundings, the same bound.
 constexpr double bound = 64 * 0x1p-53;
 
@@ -23,7 +19,8 @@ constexpr double bound = 64 * 0x1p-53;
 Regions::Region Regions::push(const SightlineTable& table, std::span<const SightlineRef> sides) {
   const Region r{mark(), static_cast<std::uint32_t>(sides.size())};
   for (std::size_t k = 0; k < sides.size(); ++k) {
-    stack_.push_back({sides[k], corner(table, sides[k], sides[(k + 1) % sides.size()])});
+    const glm::dvec3 normal = inward(table, sides[k]);
+    stack_.push_back({sides[k], normal, glm::cross(inward(table, sides[(k + 1) % sides.size()]), normal)});
   }
   return r;
 }
@@ -57,7 +54,7 @@ int Regions::classify(SightlineTable& table, Region region, SightlineRef line) {
   return found;
 }
 
-Regions::Region Regions::part(const SightlineTable& table, Region region, SightlineRef line, Sign side) {
+Regions::Region Regions::part(Region region, SightlineRef line, const glm::dvec3& normal, Sign side) {
   // Keep the sides that have a corner inside; the line itself goes where they leave off.
   Region cut{mark(), 0};
   std::uint32_t own = 0;  // where the line stands among the sides
@@ -68,7 +65,7 @@ Regions::Region Regions::part(const SightlineTable& table, Region region, Sightl
       stack_.push_back(stack_[region.first + k]);
       if (after <= 0) {
         own = mark() - cut.first;
-        stack_.push_back({line, {}});
+        stack_.push_back({line, normal, {}});
       }
     }
     before = after;
@@ -76,8 +73,8 @@ Regions::Region Regions::part(const SightlineTable& table, Region region, Sightl
   cut.count = mark() - cut.first;
   RegionSide* const made = stack_.data() + cut.first;
   RegionSide& last = made[own - 1];
-  last.corner = corner(table, last.line, line);
-  made[own].corner = corner(table, line, made[own + 1 == cut.count ? 0 : own + 1].line);
+  last.corner = glm::cross(normal, last.normal);
+  made[own].corner = glm::cross(made[own + 1 == cut.count ? 0 : own + 1].normal, normal);
   return cut;
 }
 
@@ -85,7 +82,7 @@ Regions::Region Regions::clip(SightlineTable& table, Region region, SightlineRef
   const int found = classify(table, region, line);
   if (!(found & 2)) return {region.first, 0};
   if (!(found & 1)) return region;
-  return part(table, region, line, 1);
+  return part(region, line, inward(table, line), 1);
 }
 
 bool Regions::carve(SightlineTable& table, Region region, std::span<const SightlineRef> lines, Region& inside,
@@ -101,8 +98,9 @@ bool Regions::carve(SightlineTable& table, Region region, std::span<const Sightl
       return false;
     }
     if (!(found & 1)) continue;
-    outside.push_back(part(table, inside, -line, -1));
-    inside = part(table, inside, line, 1);
+    const glm::dvec3 normal = inward(table, line);
+    outside.push_back(part(inside, -line, -normal, -1));
+    inside = part(inside, line, normal, 1);
   }
   return true;
 }

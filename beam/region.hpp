@@ -8,10 +8,11 @@
 
 namespace sightline {
 
-/// A side of a region: its line with the normal pointing inwards, and the corner with the next side, the ray
-/// n_next x n_line of the approximate normals.
+/// A side of a region: its line with the normal pointing inwards, that normal rounded, and the corner with the next
+/// side, the ray n_next x n_line of the rounded normals.
 struct RegionSide {
   SightlineRef line;
+  glm::dvec3 normal;
   glm::dvec3 corner;
 };
 
@@ -41,7 +42,7 @@ class Regions {
   /// Where a line passes: bit 0: corners behind it, bit 1: in front. Their signs are in sign_.
   int classify(SightlineTable& table, Region region, SightlineRef line);
   /// The part on the inner side of a line that both sides are known of, by sign_ times `side`.
-  Region part(const SightlineTable& table, Region region, SightlineRef line, Sign side);
+  Region part(Region region, SightlineRef line, const glm::dvec3& normal, Sign side);
 
   std::vector<RegionSide> stack_;
   std::vector<std::int8_t> sign_;

@@ -9,8 +9,6 @@
 namespace sightline {
 namespace {
 
-constexpr double u = 0x1p-53;  // unit roundoff
-
 // point - eye on the eye's grid; N words hold it.
 template <int N, class Eye>
 Wide3<N> from_eye(const PointTable& points, PointId p, const Eye& eye) {
@@ -188,17 +186,8 @@ Sign SightlineTable::exact_order(SightlineId a, SightlineId b, SightlineId c) co
   });
 }
 
-Sign SightlineTable::side(SightlineRef a, PointId p) {
-  // The difference point - eye: |.| <= E + 1, within u (2E + 2) with its own rounding; with the normal's u:
-  // 3 (3E + 3) u; products 3 (E + 1) u, sums 5 (E + 1) u: 17 u (E + 1).
+Sign SightlineTable::exact_side(SightlineRef a, PointId p) const {
   const Eye& e = exact_eye_;
-  const glm::dvec3 &n = approx_[a.id], &at = planes_->points().approx(p);
-  const double value = n.x * (at.x - e.approx.x) + n.y * (at.y - e.approx.y) + n.z * (at.z - e.approx.z);
-  const double bound = u * (24 * e.reach + 24);
-  if (std::abs(value) > bound) {
-    ++tally().filter;
-    return value > 0 ? a.sign : -a.sign;
-  }
   const Line& line = line_[a.id];
   const auto bits = static_cast<int>(line.bits);
   return a.sign * decide(bits + e.difference_bits + 2, [&](auto width) -> Sign {

@@ -3,13 +3,14 @@
 
 #include "exact/point_table.hpp"
 
+#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
 
 namespace sightline {
 
-/// Points in the cells of a regular grid over the unit box. For finding candidates only: who asks decides exactly.
+/// Points in the cells of a regular grid over the box that bounds them. For finding candidates only: who asks decides exactly.
 class PlaceIndex {
  public:
   PlaceIndex() = default;
@@ -20,18 +21,19 @@ class PlaceIndex {
   template <class Visit>
   void near(const glm::dvec3& place, double radius, Visit&& visit) const {
     if (members_.empty()) return;
-    // Mostly one cell. A place in cells is at most 128 and off by less than 2^-45, so that with 2^-43 more on each side
+    // Mostly one cell. A place in cells is at most 4096 and off by less than 2^-39, so that with 2^-37 more on each side
     // no member is missed that lies a rounding away. What is not a number asks for all.
     std::size_t from[3], to[3];
-    const double side = static_cast<double>(side_), wide = radius * side + 0x1p-43;
-    for (int k = 0; k < 3; ++k) {
-      const double at = (place[k] + 0.5) * side, low = at - wide, high = at + wide;
-      from[k] = !(low > 0) ? 0 : low >= side ? side_ - 1 : static_cast<std::size_t>(low);
-      to[k] = !(high < side) ? side_ - 1 : high <= 0 ? 0 : static_cast<std::size_t>(high);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int axis = static_cast<int>(k);
+      const double at = (place[axis] - low_[axis]) * scale_[axis], wide = radius * scale_[axis] + 0x1p-37;
+      const double low = at - wide, high = at + wide, last = static_cast<double>(cells_[k] - 1);
+      from[k] = !(low > 0) ? 0 : low >= last ? cells_[k] - 1 : static_cast<std::size_t>(low);
+      to[k] = !(high < last) ? cells_[k] - 1 : high <= 0 ? 0 : static_cast<std::size_t>(high);
     }
     for (std::size_t x = from[0]; x <= to[0]; ++x) {
       for (std::size_t y = from[1]; y <= to[1]; ++y) {
-        const std::size_t row = (x * side_ + y) * side_;
+        const std::size_t row = (x * cells_[1] + y) * cells_[2];
         for (std::uint32_t k = first_[row + from[2]]; k < first_[row + to[2] + 1]; ++k) {
           const glm::dvec3& at = members_[k].at;
           if (std::abs(at.x - place.x) > radius || std::abs(at.y - place.y) > radius) continue;
@@ -42,13 +44,8 @@ class PlaceIndex {
   }
 
  private:
-  std::size_t cell(double coordinate, std::size_t otherwise) const {
-    const double at = (coordinate + 0.5) * static_cast<double>(side_);
-    if (!(at == at)) return otherwise;
-    return at <= 0 ? 0 : at >= static_cast<double>(side_) ? side_ - 1 : static_cast<std::size_t>(at);
-  }
-
-  std::size_t side_ = 1;              // cells along each axis
+  glm::dvec3 low_{0}, scale_{0};            // a place in cells is (place - low) * scale
+  std::array<std::size_t, 3> cells_{1, 1, 1};  // along each axis
   std::vector<std::uint32_t> first_;  // by cell, into members_
   struct Member {
     PointId point;
