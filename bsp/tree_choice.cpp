@@ -17,7 +17,7 @@ constexpr std::size_t gaps_from = 8;    // pieces from which gaps are looked for
 
 constexpr double weight_split = 8.0;    // per piece cut, as part of all
 constexpr double weight_area = 1.0;     // pieces on each side, weighted by the surface of that side
-constexpr double weight_cover = 0.3;    // opaque part of the cut
+constexpr double weight_cover = 1.0;    // opaque part of the cut
 
 double surface(const glm::dvec3& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
 
