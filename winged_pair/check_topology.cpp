@@ -1,4 +1,4 @@
-// Second stage: the records form a closed 3-manifold ball, whatever their geometry.
+// Second stage: the records form a 3-manifold with a sphere as its border, whatever their geometry.
 #include "winged_pair/check_stages.hpp"
 #include "winged_pair/traverse.hpp"
 

@@ -26,7 +26,7 @@ TEST_P(ByBits, PointSide) {
 
 TEST_P(ByBits, VertexSide) {
   Count count, orientations;
-  for (std::uint64_t seed = 1; count.cases < wanted(); ++seed) {
+  for (std::uint64_t seed = 1; std::min(count.cases, orientations.cases) < wanted(); ++seed) {
     const Bench b(seed + 1000003u * static_cast<unsigned>(GetParam()), GetParam(), 7);
     Random random(seed);
     if (b.ids.size() < 4) continue;
@@ -49,7 +49,7 @@ TEST_P(ByBits, VertexSide) {
 
 TEST_P(ByBits, SameVertexAndParallel) {
   Count same, parallels;
-  for (std::uint64_t seed = 1; same.cases < wanted() / 8; ++seed) {
+  for (std::uint64_t seed = 1; std::min(same.cases, parallels.cases) < wanted(); ++seed) {
     const Bench b(seed + 1000003u * static_cast<unsigned>(GetParam()), GetParam(), 7);
     Random random(seed);
     if (b.ids.size() < 4) continue;

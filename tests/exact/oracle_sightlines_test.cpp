@@ -43,7 +43,7 @@ struct Lines {
 TEST_P(SightlinesByBits, OrderAndIdentity) {
   Count orders, equals;
   std::optional<SightlineTable> table;
-  for (std::uint64_t seed = 1; orders.cases < wanted(); ++seed) {
+  for (std::uint64_t seed = 1; std::min(orders.cases, equals.cases) < wanted(); ++seed) {
     const Bench b(seed + 1000003u * static_cast<unsigned>(GetParam()), GetParam(), 6);
     if (!table) table.emplace(b.planes);
     const Lines lines(b, *table, seed);
@@ -71,7 +71,7 @@ TEST_P(SightlinesByBits, OrderAndIdentity) {
 TEST_P(SightlinesByBits, Sides) {
   Count sides, eyes, eye_points;
   std::optional<SightlineTable> table;
-  for (std::uint64_t seed = 1; sides.cases < wanted(); ++seed) {
+  for (std::uint64_t seed = 1; std::min({sides.cases, eyes.cases, eye_points.cases}) < wanted(); ++seed) {
     const Bench b(seed + 1000003u * static_cast<unsigned>(GetParam()), GetParam(), 8);
     if (!table) table.emplace(b.planes);
     const Lines lines(b, *table, seed);

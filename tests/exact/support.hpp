@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <glm/vec3.hpp>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace sightline::test {
@@ -35,6 +36,8 @@ struct RandomScene {
   glm::dvec3 eye{0};
 
   RandomScene(std::uint64_t seed, int bits, int count = 10) : random_(seed), bits_(bits) {
+    // With 2000 bits a coordinate is below 2^(52 + 1947 + scale). Each of the seven points that follow the third, and
+    // the eye, may be three times as long as the longest before it, and the eye is stretched by up to 2^39: 2^1011.
     scale_ = bits > 1000 ? -1040 : below(random_, 41) - 20;
     for (int i = 0; i < count; ++i) points.push_back(i < 3 ? fresh() : next());
     eye = next();
@@ -50,6 +53,10 @@ struct RandomScene {
         break;
       default:
         break;
+    }
+    // GMP answers an infinite double with a signal that names nothing.
+    for (int k = 0; k < 3; ++k) {
+      if (!std::isfinite(eye[k])) throw std::logic_error("RandomScene: a coordinate is too long for a double");
     }
   }
 

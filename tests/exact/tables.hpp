@@ -5,6 +5,7 @@
 #include "support.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 
@@ -19,8 +20,8 @@ struct Count {
   }
 };
 
-/// Cases at a bit length: long numbers are slow and get fewer.
-inline long cases_at(int bits) { return bits > 1000 ? cases(20000) / 20 : cases(20000); }
+/// Cases at a bit length, of every predicate of a test at least: long numbers are slow and get fewer.
+inline long cases_at(int bits) { return bits > 1000 ? cases(5000) / 20 : cases(5000); }
 
 inline void report_cases(const char* what, int bits, const Count& c) {
   std::printf("%s, %d bits: %ld cases, %ld zeros, %ld disagreements\n", what, bits, c.cases, c.zeros, c.disagreements);
