@@ -42,8 +42,8 @@ Json scene_json(const Scene& scene) {
 }
 
 Json complex_json(const ComplexFigures& c) {
-  return {{"seconds", c.seconds}, {"from_file", c.from_file}, {"cells", c.cells}, {"faces", c.faces},
-          {"edges", c.edges},     {"vertices", c.vertices},   {"pairs", c.pairs}, {"bytes", c.bytes},
+  return {{"seconds", c.seconds}, {"from_file", c.from_file}, {"cells", c.cells},  {"faces", c.faces},
+          {"edges", c.edges},     {"vertices", c.vertices},   {"pairs", c.pairs},  {"bytes", c.bytes},
           {"lazy", c.lazy},       {"nodes", c.nodes},         {"pieces", c.pieces}};
 }
 

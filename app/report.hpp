@@ -16,7 +16,7 @@ namespace sightline::app {
 struct ComplexFigures {
   double seconds = 0;  // from a scene in memory to the complex or tree; 0 when it was read from a file
   bool from_file = false;
-  bool lazy = false;  // divided only where a camera looked
+  bool lazy = false;                  // divided only where a camera looked
   std::size_t nodes = 0, pieces = 0;  // of the tree
   std::size_t cells = 0, faces = 0, edges = 0, vertices = 0, pairs = 0, bytes = 0;
 };

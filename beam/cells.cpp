@@ -40,7 +40,8 @@ void Cells::begin() {
 SightlineRef Cells::line_of(EdgeId e) {
   if (edge_marks_.first(e)) {
     const Edge& edge = complex_.edges[e];
-    edge_line_[e] = edge.a != none ? view.table.of_points(edge.a, edge.b) : view.table.of_planes(edge.plane[0], edge.plane[1]);
+    edge_line_[e] =
+        edge.a != none ? view.table.of_points(edge.a, edge.b) : view.table.of_planes(edge.plane[0], edge.plane[1]);
   }
   return edge_line_[e];
 }

@@ -40,7 +40,9 @@ void Frame::set(const glm::dvec3& eye, const glm::dvec3& ahead, double doubt) {
   doubt_ = doubt;
   z_ = glm::normalize(ahead);
   const glm::dvec3 a = glm::abs(z_);
-  const glm::dvec3 other = a.x <= a.y && a.x <= a.z ? glm::dvec3{1, 0, 0} : a.y <= a.z ? glm::dvec3{0, 1, 0} : glm::dvec3{0, 0, 1};
+  const glm::dvec3 other = a.x <= a.y && a.x <= a.z ? glm::dvec3{1, 0, 0}
+                           : a.y <= a.z             ? glm::dvec3{0, 1, 0}
+                                                    : glm::dvec3{0, 0, 1};
   x_ = glm::normalize(glm::cross(z_, other));
   y_ = glm::cross(z_, x_);
   abs_x_ = glm::abs(x_);

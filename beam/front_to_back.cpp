@@ -27,6 +27,7 @@ class FrontToBack : public Engine {
   void visit(TreeNode& node, std::size_t first);
   void descend(TreeNode* child, std::size_t first);
   Sign eye_side(const TreeNode& node);
+  Sign exact_side(const TreeNode& node) const;
   bool may_meet(Regions::Region region, const TreeBox& box) const;
   void outline(const TreePiece& piece, Sign eye);
   bool in_sight(const TreeBox& box, std::size_t first);
@@ -47,7 +48,7 @@ class FrontToBack : public Engine {
   double doubt_ = 0;
   std::vector<Open> open_;
   std::vector<Regions::Region> parts_;
-  FrameBox piece_bounds_;             // of the piece looked at
+  FrameBox piece_bounds_;            // of the piece looked at
   std::vector<SightlineRef> lines_;  // its outline, once it is needed
   std::vector<Seen> seen_;
   std::vector<SurfaceId> seen_on_;
@@ -55,8 +56,8 @@ class FrontToBack : public Engine {
 
 void FrontToBack::begin() {
   eye_ = view.table.eye_approx();
-  // Boxes hold what they bound, rounding included. Values n.(x - eye) are of size 6 S at most, S the larger of 1 and the
-  // eye's reach; data carry 2^-53 of that, and three products and sums as much again: far below 2^-44 S.
+  // Boxes hold what they bound, rounding included. Values n.(x - eye) are of size 6 S at most, S the larger of 1 and
+  // the eye's reach; data carry 2^-53 of that, and three products and sums as much again: far below 2^-44 S.
   doubt_ = 0x1p-44 * std::max({1.0, std::abs(eye_.x), std::abs(eye_.y), std::abs(eye_.z)});
 }
 
@@ -65,8 +66,8 @@ bool FrontToBack::may_meet(Regions::Region region, const TreeBox& box) const {
   const glm::dvec3 at = box.middle - eye_;
   for (const RegionSide& side : view.regions.sides(region)) {
     const glm::dvec3& n = side.normal;
-    const double most = n.x * at.x + n.y * at.y + n.z * at.z + std::abs(n.x) * box.half.x +
-                        std::abs(n.y) * box.half.y + std::abs(n.z) * box.half.z;
+    const double most = n.x * at.x + n.y * at.y + n.z * at.z + std::abs(n.x) * box.half.x + std::abs(n.y) * box.half.y +
+                        std::abs(n.z) * box.half.z;
     if (most < -doubt_) return false;
   }
   return true;
@@ -74,13 +75,26 @@ bool FrontToBack::may_meet(Regions::Region region, const TreeBox& box) const {
 
 Sign FrontToBack::eye_side(const TreeNode& node) {
   if (node.plane != none) return view.table.eye_side(node.plane);
-  // In free space both orders are right for an eye that is so near that rounding matters.
-  return eye_[node.axis] < node.at ? -1 : 1;
+  // The normal's components are at most 1, the eye's S: three products and their sum are within 2^-50 S.
+  const double value = glm::dot(node.normal, eye_) - node.d;
+  if (std::abs(value) > doubt_) return value > 0 ? 1 : -1;
+  return exact_side(node);
+}
+
+/// By rationals: where an eye is so near a plane in free space.
+Sign FrontToBack::exact_side(const TreeNode& node) const {
+  const GridPoint& eye = view.table.eye();
+  mpq_class value = -mpq_class(node.d), unit = 1;
+  const int bits = view.scene.grid().unit_bits() + eye.shift;
+  mpq_div_2exp(unit.get_mpq_t(), unit.get_mpq_t(), static_cast<mp_bitcnt_t>(std::max(bits, 0)));
+  mpq_mul_2exp(unit.get_mpq_t(), unit.get_mpq_t(), static_cast<mp_bitcnt_t>(std::max(-bits, 0)));
+  for (int k = 0; k < 3; ++k) value += mpq_class(node.normal[k]) * eye.c[static_cast<std::size_t>(k)] * unit;
+  return sgn(value);
 }
 
 /// Lines of the piece's outline, their normals pointing inwards. Edges run counter-clockwise seen from the front of the
-/// plane, and (a - eye) x (b - eye) points outwards for an eye there. With P and Q the values of the piece's plane and a
-/// cutting one, P(eye) n_q - Q(eye) n_p is P(eye) Q(x) at a point x of the piece.
+/// plane, and (a - eye) x (b - eye) points outwards for an eye there. With P and Q the values of the piece's plane and
+/// a cutting one, P(eye) n_q - Q(eye) n_p is P(eye) Q(x) at a point x of the piece.
 void FrontToBack::outline(const TreePiece& piece, Sign eye) {
   lines_.clear();
   const PlaneId plane = view.scene.surfaces()[piece.surface].plane;

@@ -28,9 +28,9 @@ class Regions {
   /// The part of a region on the inner side of a line, on top of the stack. The very region where nothing is cut off;
   /// empty where no interior is left.
   Region clip(SightlineTable& table, Region region, SightlineRef line);
-  /// Cuts a region along the outline of a convex figure, given by lines with normals pointing into it, where they cross.
-  /// True: `inside` is what the two have in common, and `outside`, to which is appended, the rest of the region in
-  /// convex parts. False: they have no interior in common, and nothing was made.
+  /// Cuts a region along the outline of a convex figure, given by lines with normals pointing into it, where they
+  /// cross. True: `inside` is what the two have in common, and `outside`, to which is appended, the rest of the region
+  /// in convex parts. False: they have no interior in common, and nothing was made.
   bool carve(SightlineTable& table, Region region, std::span<const SightlineRef> lines, Region& inside,
              std::vector<Region>& outside);
   std::span<const RegionSide> sides(Region r) const { return std::span(stack_).subspan(r.first, r.count); }

@@ -52,8 +52,9 @@ void Tracer::trace(const Camera& camera, VisibilityMap& map, TraceStats* stats) 
   const Window window(camera.forward, camera.right, camera.up);
   s.begin(camera.eye);
   View& view = s.engine->view;
-  const std::array<SightlineRef, 4> border = {window.side(view.table, Window::left), window.side(view.table, Window::right),
-                                              window.side(view.table, Window::bottom), window.side(view.table, Window::top)};
+  const std::array<SightlineRef, 4> border = {
+      window.side(view.table, Window::left), window.side(view.table, Window::right),
+      window.side(view.table, Window::bottom), window.side(view.table, Window::top)};
   // Counter-clockwise as an ordinary camera sees it; a mirrored one has its right side on the eye's left.
   const bool mirrored = window.handedness() < 0;
   const SightlineRef sides[] = {border[Window::bottom], border[mirrored ? Window::left : Window::right],

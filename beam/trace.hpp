@@ -11,7 +11,7 @@ namespace sightline {
 
 /// Counts of one map, as in the paper's table 2.
 struct TraceStats {
-  double seconds = 0;  // from the camera to the finished map in memory
+  double seconds = 0;       // from the camera to the finished map in memory
   std::uint32_t beams = 0;  // cells: beams in cells; front-to-back: beams that end on a polygon or nowhere
   std::uint32_t cells = 0;  // cells: distinct cells that a beam entered; front-to-back: nodes visited
   std::uint32_t fragments = 0;

@@ -55,6 +55,15 @@ double Chooser::area(const Piece& piece) const {
   return glm::length(sum) / 2;
 }
 
+// A piece that lies within rounding of a plane without being in it is cut or not as the exact signs say; but it leaves
+// a wedge of a cell behind, where walls of others end in slivers.
+void Chooser::add_hair(Count& n, const Piece& piece, PlaneId plane) const {
+  const int found = plane == none ? 3 : pieces_.exact_sides(piece, plane);
+  const double cut = found == 3 ? 1 : weights_.hair;
+  n.split += cut;
+  (found == 1 ? n.behind : n.front) += 1 - cut;
+}
+
 Chooser::Count Chooser::count_axis(std::span<const Piece> pieces, PlaneId plane, int axis, double value) const {
   Count n;
   const std::size_t stride = pieces.size() / most_counted + 1;
@@ -65,7 +74,7 @@ Chooser::Count Chooser::count_axis(std::span<const Piece> pieces, PlaneId plane,
         n.covered += area(pieces[k]);
         n.on += 1;
       } else {
-        n.split += 1;
+        add_hair(n, pieces[k], plane);
       }
     } else if (high <= flat) {
       n.behind += 1;
@@ -95,7 +104,9 @@ Chooser::Count Chooser::count_plane(std::span<const Piece> pieces, PlaneId plane
       behind |= s < -flat;
       front |= s > flat;
     }
-    if (behind == front) {
+    if (!behind && !front) {
+      add_hair(n, pieces[k], plane);
+    } else if (behind && front) {
       n.split += 1;
     } else if (behind) {
       n.behind += 1;

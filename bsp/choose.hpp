@@ -34,9 +34,10 @@ class Chooser {
   };
   struct Count {
     double behind = 0, front = 0, on = 0;
-    double split = 0;    // those a hair beside the plane, which rounding may have put on both sides, included
+    double split = 0;    // one a hair beside the plane counts in part
     double covered = 0;  // area of those on the plane
   };
+  void add_hair(Count& n, const Piece& piece, PlaneId plane) const;
   Count count_plane(std::span<const Piece> pieces, PlaneId plane) const;
   Count count_axis(std::span<const Piece> pieces, PlaneId plane, int axis, double value) const;
   double cost(const Count& count, std::size_t total, const Bounds& cell, const double n[3], double d) const;

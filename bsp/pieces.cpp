@@ -42,6 +42,15 @@ int Pieces::sides(const Piece& piece, PlaneId plane) {
   return found;
 }
 
+int Pieces::exact_sides(const Piece& piece, PlaneId plane) const {
+  int found = 0;
+  for (const PieceCorner& c : corners(piece)) {
+    const Sign s = side(c, plane);
+    found |= s < 0 ? 1 : s > 0 ? 2 : 0;
+  }
+  return found;
+}
+
 void Pieces::split(const Piece& piece, PlaneId plane, Piece& behind, Piece& front) {
   for (auto& half : halves_) half.clear();
   const auto corner = corners(piece);

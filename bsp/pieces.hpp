@@ -33,6 +33,8 @@ class Pieces {
   }
   /// Where the piece lies: bit 0 set: partly behind the plane, bit 1: partly in front; 0: in the plane.
   int sides(const Piece& piece, PlaneId plane);
+  /// The same for one that is only looked at: nothing is kept for split().
+  int exact_sides(const Piece& piece, PlaneId plane) const;
   /// Cuts the piece, which lies on both sides, as found by the call of sides() just before.
   void split(const Piece& piece, PlaneId plane, Piece& behind, Piece& front);
   std::span<const PieceCorner> corners(const Piece& p) const { return std::span(corners_).subspan(p.first, p.count); }

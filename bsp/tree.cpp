@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <mutex>
 
 #include "bsp/pieces.hpp"
@@ -172,11 +173,12 @@ void BspTree::State::divide_at(TreeNode& n, PlaneId plane) {
 }
 
 void BspTree::State::divide_free(TreeNode& n, const TreeCut& cut) {
-  n.axis = cut.axis;
-  n.at = cut.at;
+  n.normal = cut.normal;
+  n.d = cut.d;
   const auto begin = waiting.begin() + static_cast<std::ptrdiff_t>(n.first);
   const auto end = begin + static_cast<std::ptrdiff_t>(n.count);
-  const auto middle = std::stable_partition(begin, end, [&](const Piece& p) { return p.high[cut.axis] < cut.at; });
+  const auto middle = std::stable_partition(
+      begin, end, [&](const Piece& p) { return glm::dot(cut.normal, pieces.corners(p)[0].place.approx) < cut.d; });
   const auto behind = static_cast<std::size_t>(middle - begin);
   n.child[0] = node(n.first, behind);
   n.child[1] = node(n.first + behind, n.count - behind);
@@ -195,13 +197,13 @@ void BspTree::State::divide(TreeNode& n) {
 
 BspTree::BspTree(const Scene& scene, const TreeOptions& options) : state_(std::make_unique<State>(scene)) {
   if (options.lazy || !state_->root) return;
-  std::vector<TreeNode*> todo{state_->root};
-  while (!todo.empty()) {
-    TreeNode* const n = todo.back();
-    todo.pop_back();
+  std::vector<TreeNode*> below{state_->root};
+  while (!below.empty()) {
+    TreeNode* const n = below.back();
+    below.pop_back();
     state_->divide(*n);
     for (TreeNode* const child : n->child) {
-      if (child) todo.push_back(child);
+      if (child) below.push_back(child);
     }
   }
   state_->waiting = {};

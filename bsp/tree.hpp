@@ -34,15 +34,15 @@ inline constexpr std::size_t tree_group = 8;
 
 /// A node parts space by a plane: that of its pieces, or one in free space that meets no piece at all.
 struct TreeNode {
-  TreeBox box;                         // of all pieces in it and below it
-  PlaneId plane = none;                // none: x[axis] = at, in free space
-  int axis = 0;
-  double at = 0;  // pieces keep clear of it by more than all rounding
-  std::span<const TreePiece> pieces;   // in the plane, ascending by surface
-  std::span<const TreeBox> groups;     // of `tree_group` pieces each; none where one would do
-  TreeNode* child[2] = {};             // behind the plane and in front; null: nothing there
-  std::atomic<bool> ready = false;     // whether it has been divided: what stands above but the box holds from then on
-  std::size_t first = 0, count = 0;    // until then: the pieces that wait
+  TreeBox box;           // of all pieces in it and below it
+  PlaneId plane = none;  // none: normal.x = d, in free space, exactly as the doubles say
+  glm::dvec3 normal{0};
+  double d = 0;
+  std::span<const TreePiece> pieces;  // in the plane, ascending by surface
+  std::span<const TreeBox> groups;    // of `tree_group` pieces each; none where one would do
+  TreeNode* child[2] = {};            // behind the plane and in front; null: nothing there
+  std::atomic<bool> ready = false;    // whether it has been divided: what stands above but the box holds from then on
+  std::size_t first = 0, count = 0;   // until then: the pieces that wait
 };
 
 struct TreeOptions {

@@ -8,8 +8,8 @@ namespace sightline {
 
 struct TreeCut {
   PlaneId plane = none;  // of a piece
-  int axis = 0;          // or else x[axis] = at, which no piece meets
-  double at = 0;
+  glm::dvec3 normal{0};  // or else normal.x = d, which no piece meets
+  double d = 0;
 };
 
 /// Cuts that divide few pieces, leave both sides alike, and hide much; cuts in free space where there is room. Work is
@@ -26,12 +26,18 @@ class TreeChoice {
   Count count(std::span<const Piece> here, std::size_t stride, PlaneId plane) const;
   double cost(const Count& n, const TreeBox& box, PlaneId plane) const;
   double area(const Piece& piece) const;
-  void find_gap(std::span<const Piece> here, const TreeBox& box, TreeCut& cut, double& least);
+  void find_gap(std::span<const Piece> here, const glm::dvec3& normal, TreeCut& cut, double& least);
+  void measure(std::span<const Piece> here, const glm::dvec3& normal);
 
   const PlaneTable& planes_;
   const Pieces& pieces_;
   std::vector<std::pair<double, PlaneId>> candidates_;
+  struct Extent {
+    double low, high;
+  };
+  std::vector<Extent> extents_;  // of the pieces, along a normal
   std::vector<std::uint32_t> enter_, leave_;
+  std::vector<glm::dvec3> normals_;
 };
 
 }  // namespace sightline

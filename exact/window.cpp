@@ -1,6 +1,6 @@
+#include "exact/window.hpp"
 #include "exact/quotient.hpp"
 #include "exact/rounding.hpp"
-#include "exact/sightline_table.hpp"
 #include "exact/wide.hpp"
 
 #include <algorithm>

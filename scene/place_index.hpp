@@ -10,7 +10,8 @@
 
 namespace sightline {
 
-/// Points in the cells of a regular grid over the box that bounds them. For finding candidates only: who asks decides exactly.
+/// Points in the cells of a regular grid over the box that bounds them. For finding candidates only: who asks decides
+/// exactly.
 class PlaceIndex {
  public:
   PlaceIndex() = default;
@@ -21,8 +22,8 @@ class PlaceIndex {
   template <class Visit>
   void near(const glm::dvec3& place, double radius, Visit&& visit) const {
     if (members_.empty()) return;
-    // Mostly one cell. A place in cells is at most 4096 and off by less than 2^-39, so that with 2^-37 more on each side
-    // no member is missed that lies a rounding away. What is not a number asks for all.
+    // Mostly one cell. A place in cells is at most 4096 and off by less than 2^-39, so that with 2^-37 more on each
+    // side no member is missed that lies a rounding away. What is not a number asks for all.
     std::size_t from[3], to[3];
     for (std::size_t k = 0; k < 3; ++k) {
       const int axis = static_cast<int>(k);
@@ -44,9 +45,9 @@ class PlaceIndex {
   }
 
  private:
-  glm::dvec3 low_{0}, scale_{0};            // a place in cells is (place - low) * scale
+  glm::dvec3 low_{0}, scale_{0};               // a place in cells is (place - low) * scale
   std::array<std::size_t, 3> cells_{1, 1, 1};  // along each axis
-  std::vector<std::uint32_t> first_;  // by cell, into members_
+  std::vector<std::uint32_t> first_;           // by cell, into members_
   struct Member {
     PointId point;
     glm::dvec3 at;

@@ -1,7 +1,7 @@
 // Exact coordinates in the window: the last stage of queries, after their filters. For this folder's own use.
 #pragma once
 
-#include "exact/sightline_table.hpp"
+#include "exact/window.hpp"
 #include "visibility_map/map.hpp"
 
 namespace sightline {

@@ -1,6 +1,6 @@
 #include "visibility_map/read.hpp"
 
-#include "exact/sightline_table.hpp"
+#include "exact/window.hpp"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>

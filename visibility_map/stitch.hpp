@@ -1,6 +1,7 @@
 // From fragments to the map: seams dissolved, edges maximal, everything named by the drawing alone.
 #pragma once
 
+#include "exact/window.hpp"
 #include "visibility_map/fragment.hpp"
 #include "visibility_map/map.hpp"
 

@@ -4,6 +4,7 @@
 // naming (parts -> edges with names), stitch (vertices, order, loops, areas).
 #pragma once
 
+#include "exact/window.hpp"
 #include "visibility_map/fragment.hpp"
 #include "visibility_map/map.hpp"
 #include "visibility_map/stitch_twofold.hpp"

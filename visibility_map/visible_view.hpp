@@ -1,7 +1,7 @@
 // Exact convex parts of the window. For this folder's own use.
 #pragma once
 
-#include "exact/sightline_table.hpp"
+#include "exact/window.hpp"
 
 #include <glm/vec2.hpp>
 #include <vector>

@@ -1,7 +1,7 @@
 // Points of a given bit length with degenerate companions, for the exact benchmarks.
 #pragma once
 
-#include "exact/sightline_table.hpp"
+#include "exact/window.hpp"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <cmath>

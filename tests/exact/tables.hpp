@@ -1,7 +1,7 @@
 // A random scene in the tables under test beside the oracle, and counts of cases.
 #pragma once
 
-#include "exact/sightline_table.hpp"
+#include "exact/window.hpp"
 #include "support.hpp"
 
 #include <gtest/gtest.h>
