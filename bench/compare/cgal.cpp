@@ -12,7 +12,7 @@
 #include "bench/compare/method.hpp"
 #include "bench/compare/pieces.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -189,4 +189,4 @@ Methods make_cgal() {
   return all;
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

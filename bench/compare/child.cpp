@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace sightline::compare {
+namespace sightline::peers {
 namespace {
 
 double wall_seconds() {
@@ -70,9 +70,7 @@ double address_space() {
       out.seconds = times[1];
     }
   } catch (const std::exception& e) {
-    out = {};
-    out.status = Status::failed;
-    out.note = e.what();
+    out = failure(e.what());
   }
   const Header header{out.status,
                       out.seconds,
@@ -117,13 +115,13 @@ Outcome parse(const std::string& bytes, int status, double limit_seconds) {
 
 Outcome map_in_child(Method& method, const Camera& camera, const ChildLimits& limits) {
   int ends[2];
-  if (pipe(ends) != 0) return {.status = Status::failed, .note = "no pipe"};
+  if (pipe(ends) != 0) return failure("no pipe");
   std::fflush(nullptr);
   const pid_t child = fork();
   if (child < 0) {
     close(ends[0]);
     close(ends[1]);
-    return {.status = Status::failed, .note = "no process"};
+    return failure("no process");
   }
   if (child == 0) {
     close(ends[0]);
@@ -152,4 +150,4 @@ Outcome map_in_child(Method& method, const Camera& camera, const ChildLimits& li
   return parse(bytes, status, limits.seconds);
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

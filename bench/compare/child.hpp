@@ -3,7 +3,7 @@
 
 #include "bench/compare/method.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 struct ChildLimits {
   double seconds = 60;    // of processor time
@@ -14,4 +14,4 @@ struct ChildLimits {
 /// run three times there, and its median time counts: the first run pays for the child's own pages.
 Outcome map_in_child(Method& method, const Camera& camera, const ChildLimits& limits);
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

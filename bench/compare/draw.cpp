@@ -6,7 +6,7 @@
 #include "bench/compare/report.hpp"
 #include "scene/read.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 namespace {
 
 /// One block of points a method, named in its first line.
@@ -66,4 +66,4 @@ void draw(const std::filesystem::path& folder, std::span<const SceneResult> scen
   }
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

@@ -11,7 +11,7 @@
 #include "bench/compare/pieces.hpp"
 #include "models/random_numbers.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 namespace {
 
 constexpr float far_away = std::numeric_limits<float>::infinity();
@@ -229,4 +229,4 @@ Methods make_embree() {
   return all;
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

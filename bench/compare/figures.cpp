@@ -2,7 +2,7 @@
 
 #include "bench/compare/report.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 Figures figures_of(const SceneResult& scene, const MethodResult& method) {
   Figures out;
@@ -43,4 +43,4 @@ Figures figures_of(const SceneResult& scene, const MethodResult& method) {
   return out;
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

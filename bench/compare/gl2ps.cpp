@@ -14,7 +14,7 @@
 #include "bench/compare/method.hpp"
 #include "bench/compare/pieces.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 namespace {
 
 constexpr int width = 1024;
@@ -37,7 +37,7 @@ class Page : public Method {
     char* text = nullptr;
     std::size_t length = 0;
     std::FILE* stream = list ? open_memstream(&text, &length) : std::fopen("/dev/null", "w");
-    if (stream == nullptr) return {.status = Status::failed, .note = "no stream"};
+    if (stream == nullptr) return failure("no stream");
     const double start = cpu_seconds();
     project(*scene_, pieces_, camera, view_);
     GLint viewport[4] = {0, 0, width, width};
@@ -110,4 +110,4 @@ Methods make_gl2ps() {
   return all;
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

@@ -2,7 +2,7 @@
 
 #include "bench/compare/report.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 using nlohmann::ordered_json;
 
@@ -58,4 +58,4 @@ std::string json(std::span<const SceneResult> scenes) {
   return ordered_json{{"format", "sightline-compare"}, {"version", 1}, {"scenes", std::move(all)}}.dump(1) + "\n";
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

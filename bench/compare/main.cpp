@@ -9,7 +9,7 @@
 namespace {
 
 using namespace sightline;
-using namespace sightline::compare;
+using namespace sightline::peers;
 
 /// `wanted` names methods or sources, or begins their names; empty: all.
 Methods chosen(const std::vector<std::string>& wanted) {

@@ -11,7 +11,7 @@
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 /// The thread's own processor time: on a shared machine the wall clock measures the neighbours as well.
 inline double cpu_seconds() {
@@ -38,6 +38,13 @@ struct Outcome {
   std::vector<std::pair<PolygonId, PolygonId>> coincident;  // exact maps only: seen polygon, one in the same place
   std::string note;                                         // why it failed
 };
+
+inline Outcome failure(std::string why) {
+  Outcome out;
+  out.status = Status::failed;
+  out.note = std::move(why);
+  return out;
+}
 
 /// What a caller wants of a view besides its time.
 enum class Want { time, visible };
@@ -88,4 +95,4 @@ Methods make_cgal();
 Methods make_occt();
 Methods make_gl2ps();
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

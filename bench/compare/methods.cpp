@@ -1,7 +1,7 @@
 // Which methods this build has.
 #include "bench/compare/method.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 std::vector<Source> sources() {
   std::vector<Source> all;
@@ -18,11 +18,11 @@ std::vector<Source> sources() {
 #ifdef SIGHTLINE_COMPARE_GL2PS
   all.back().make = make_gl2ps;
 #endif
-  all.push_back({"occt", "libocct-modeling-algorithms-dev", {}});
+  all.push_back({"occt", "libocct-modeling-algorithms-dev libocct-visualization-dev", {}});
 #ifdef SIGHTLINE_COMPARE_OCCT
   all.back().make = make_occt;
 #endif
   return all;
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

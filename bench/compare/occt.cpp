@@ -20,7 +20,7 @@
 #include "bench/compare/method.hpp"
 #include "bench/compare/pieces.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 namespace {
 
 /// The window's width and the range of depths in its units: its tolerance is 1e-7.
@@ -102,4 +102,4 @@ Methods make_occt() {
   return all;
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace sightline::compare {
+namespace sightline::peers {
 namespace {
 
 /// What a finished map says to the comparison.
@@ -65,4 +65,4 @@ Methods make_ours() {
   return all;
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

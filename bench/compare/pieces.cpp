@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 Pieces pieces_of(const Scene& scene) {
   Pieces out;
@@ -87,4 +87,4 @@ void project(const Scene& scene, const Pieces& pieces, const Camera& camera, Pro
   }
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

@@ -8,7 +8,7 @@
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 /// Convex planar polygons, flat. Piece k has corners[first[k] .. first[k+1]), vertices of the scene.
 struct Pieces {
@@ -40,4 +40,4 @@ struct Projected {
 /// Reuses `out`. Pieces seen edge-on (as far as doubles tell) are left out.
 void project(const Scene& scene, const Pieces& pieces, const Camera& camera, Projected& out);
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

@@ -7,7 +7,7 @@
 
 #include "bench/compare/run.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 /// A method on a scene in a few figures. Ratios are taken camera by camera, of the cameras that both have done.
 struct Figures {
@@ -30,4 +30,4 @@ std::string json(std::span<const SceneResult> scenes);
 /// and size.svg, complexity.svg where gnuplot is installed. Says on standard error where it is not.
 void draw(const std::filesystem::path& folder, std::span<const SceneResult> scenes);
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <set>
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -57,8 +57,7 @@ void run_here(Method& method, const std::vector<Camera>& cameras, const RunOptio
       try {
         out = method.map(cameras[k], pass == 0 ? Want::visible : Want::time);
       } catch (const std::exception& e) {
-        out.status = Status::failed;
-        out.note = e.what();
+        out = failure(e.what());
       }
       spent += cpu_seconds() - start;
       if (pass == 0) result.views.push_back({out, false, 0, 0});
@@ -125,4 +124,4 @@ SceneResult run(Subject subject, const Methods& methods, const RunOptions& optio
   return out;
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

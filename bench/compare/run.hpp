@@ -4,7 +4,7 @@
 #include "bench/compare/child.hpp"
 #include "bench/compare/subjects.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 struct RunOptions {
   std::size_t cameras = 24;  // of a scene, evenly spread over those that it has; 0: all
@@ -48,4 +48,4 @@ SceneResult run(Subject subject, const Methods& methods, const RunOptions& optio
 /// 0 for no values.
 double median(std::vector<double> values);
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

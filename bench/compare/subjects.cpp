@@ -10,7 +10,7 @@
 #include "models/model.hpp"
 #include "scene/read.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 namespace {
 
 constexpr const char* models[] = {"maze", "city", "random", "building", "building:100000"};
@@ -87,4 +87,4 @@ Subject make_subject(const std::string& name) {
   return out;
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

@@ -8,7 +8,7 @@
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 
 struct Subject {
   std::string name;
@@ -24,4 +24,4 @@ std::vector<std::string> default_subjects(const std::filesystem::path& folder);
 /// Throws std::exception where there is none of that name.
 Subject make_subject(const std::string& name);
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers

@@ -5,7 +5,7 @@
 
 #include "bench/compare/report.hpp"
 
-namespace sightline::compare {
+namespace sightline::peers {
 namespace {
 
 /// Three significant digits, `-` for none.
@@ -119,4 +119,4 @@ void print_summary(std::FILE* out, std::span<const SceneResult> scenes) {
   std::fflush(out);
 }
 
-}  // namespace sightline::compare
+}  // namespace sightline::peers
