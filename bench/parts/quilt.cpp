@@ -12,8 +12,7 @@ Scene make_quilt(std::uint32_t side, bool bumpy) {
     for (std::uint32_t i = 0; i < n; ++i) {
       // Bumps are shallow enough for no triangle to hide another.
       const double bump = bumpy ? static_cast<double>((i * 7 + j * 5 + i * j) % 8) / 64 : 0;
-      soup.vertices.emplace_back(static_cast<double>(i) - side / 2.0, side + bump,
-                                 static_cast<double>(j) - side / 2.0);
+      soup.vertices.emplace_back(static_cast<double>(i) - side / 2.0, side + bump, static_cast<double>(j) - side / 2.0);
     }
   }
   for (std::uint32_t j = 0; j < side; ++j) {
@@ -54,8 +53,8 @@ void fragments_of(const Scene& quilt, const Camera& camera, SightlineTable& tabl
       if (part.count == 0) break;
     }
     if (part.count != 0) {
-      out.fragments.push_back({static_cast<std::uint32_t>(out.sides.size()), part.count,
-                               static_cast<std::uint32_t>(out.seen.size()), 1});
+      out.fragments.push_back(
+          {static_cast<std::uint32_t>(out.sides.size()), part.count, static_cast<std::uint32_t>(out.seen.size()), 1});
       for (const RegionSide& side : regions.sides(part)) out.sides.push_back(side.line);
       out.seen.push_back(s);
     }
