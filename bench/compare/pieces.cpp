@@ -4,19 +4,55 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "exact/predicates.hpp"
+#include "scene/triangulate.hpp"
+
 namespace sightline::peers {
+
+namespace {
+
+void add(Pieces& out, PolygonId polygon, std::span<const PointId> corners) {
+  out.corners.insert(out.corners.end(), corners.begin(), corners.end());
+  out.first.push_back(static_cast<std::uint32_t>(out.corners.size()));
+  out.polygon.push_back(polygon);
+}
+
+/// Triangles of a polygon's own corners; none where the polygon crosses itself.
+std::vector<Triangle> triangles_of(const Scene& scene, PolygonId polygon) {
+  std::vector<Triangle> out = triangulate(scene.points(), scene.corners(polygon));
+  for (int axis = 0; axis < 3; ++axis) {
+    bool left = false, right = false;
+    for (const Triangle& t : out) {
+      const Sign turn = orientation(scene.points(), t[0], t[1], t[2], axis);
+      left |= turn > 0;
+      right |= turn < 0;
+    }
+    if (left && right) return {};
+  }
+  return out;
+}
+
+}  // namespace
 
 Pieces pieces_of(const Scene& scene) {
   Pieces out;
-  for (const Surface& s : scene.surfaces()) {
-    const auto edges = scene.edges(s);
-    if (std::ranges::any_of(edges, [](const SurfaceEdge& e) { return e.corner == none; })) {
-      ++out.left_out;
+  std::vector<PointId> loop;
+  for (PolygonId p = 0; p < scene.polygon_count(); ++p) {
+    const auto surfaces = scene.surfaces(p);
+    const auto at_vertices = [&](const Surface& s) {
+      return std::ranges::none_of(scene.edges(s), [](const SurfaceEdge& e) { return e.corner == none; });
+    };
+    if (std::ranges::all_of(surfaces, at_vertices)) {
+      for (const Surface& s : surfaces) {
+        loop.clear();
+        for (const SurfaceEdge& e : scene.edges(s)) loop.push_back(e.corner);
+        add(out, p, loop);
+      }
       continue;
     }
-    for (const SurfaceEdge& e : edges) out.corners.push_back(e.corner);
-    out.first.push_back(static_cast<std::uint32_t>(out.corners.size()));
-    out.polygon.push_back(s.polygon);
+    const std::vector<Triangle> triangles = triangles_of(scene, p);
+    for (const Triangle& t : triangles) add(out, p, t);
+    if (triangles.empty()) ++out.left_out;
   }
   return out;
 }

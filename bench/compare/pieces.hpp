@@ -15,7 +15,7 @@ struct Pieces {
   std::vector<std::uint32_t> first{0};
   std::vector<PointId> corners;
   std::vector<PolygonId> polygon;
-  std::uint32_t left_out = 0;  // pieces with a corner that is no vertex of the file: polygons that cross themselves
+  std::uint32_t left_out = 0;  // polygons that cross themselves
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(polygon.size()); }
   std::span<const PointId> of(std::uint32_t k) const {

@@ -1,5 +1,7 @@
 #include "bench/compare/run.hpp"
 
+#include "bench/compare/pieces.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
@@ -92,6 +94,7 @@ SceneResult run(Subject subject, const Methods& methods, const RunOptions& optio
   out.polygons = scene.polygon_count();
   out.vertices = static_cast<std::uint32_t>(scene.soup().vertices.size());
   out.bits = scene.grid().bits();
+  out.left_out = pieces_of(scene).left_out;
   for (const auto& method : methods) {
     std::fprintf(stderr, "%s: %s\n", out.name.c_str(), method->name().c_str());
     MethodResult result{method->name(), method->kind(), {}, {}, {}};

@@ -32,6 +32,7 @@ struct MethodResult {
 struct SceneResult {
   std::string name;
   std::uint32_t polygons = 0, vertices = 0;
+  std::uint32_t left_out = 0;  // polygons that cross themselves: the peers are not given them
   int bits = 0;
   double read_seconds = 0;             // from polygons in memory to the exact scene
   std::vector<std::size_t> cameras;    // their indices
