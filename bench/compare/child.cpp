@@ -58,6 +58,10 @@ double address_space() {
   limit(RLIMIT_CPU, std::ceil(limits.seconds));
   limit(RLIMIT_AS, address_space() + limits.gigabytes * 1e9);
   limit(RLIMIT_CORE, 0);
+  rlimit stack{};  // some peers recurse deeply
+  getrlimit(RLIMIT_STACK, &stack);
+  stack.rlim_cur = stack.rlim_max;
+  setrlimit(RLIMIT_STACK, &stack);
   const int silent = open("/dev/null", O_WRONLY);
   if (silent >= 0) dup2(silent, STDERR_FILENO);
   Outcome out;

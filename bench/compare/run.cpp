@@ -74,7 +74,7 @@ void run_here(Method& method, const std::vector<Camera>& cameras, const RunOptio
 void run_children(Method& method, const std::vector<Camera>& cameras, const RunOptions& options, MethodResult& result) {
   double spent = 0;
   for (const Camera& camera : cameras) {
-    if (spent > options.budget) break;
+    if (spent >= options.budget) break;
     result.views.push_back({map_in_child(method, camera, options.child), false, 0, 0});
     spent += result.views.back().outcome.seconds;
   }
