@@ -56,7 +56,8 @@ void draw(const std::filesystem::path& folder, std::span<const SceneResult> scen
   }
   write_blocks(folder / "size.dat", size);
   write_blocks(folder / "complexity.dat", complexity);
-  for (const char* picture : {"size", "complexity"}) {
+  for (const std::string picture : {"size", "complexity"}) {
+    if ((picture == "size" ? size : complexity).empty()) continue;
     const std::string command =
         "gnuplot -e \"folder='" + folder.string() + "'\" '" SIGHTLINE_COMPARE_SCRIPTS "/" + picture + ".gp'";
     if (std::system(command.c_str()) != 0) {

@@ -43,8 +43,9 @@ class Page : public Method {
     GLint viewport[4] = {0, 0, width, width};
     const GLint options = GL2PS_BEST_ROOT | GL2PS_SILENT | GL2PS_NO_OPENGL_CONTEXT | GL2PS_NO_BLENDING |
                           GL2PS_NO_PS3_SHADING | (cull_ ? GL2PS_OCCLUSION_CULL : 0);
-    // Its cheapest writer: what is timed is the sorting.
-    gl2psBeginPage("view", "compare", viewport, list ? GL2PS_SVG : GL2PS_EPS, GL2PS_BSP_SORT, options, GL_RGBA, 0,
+    // What is timed is the sorting: its LaTeX writer sorts as the others do and then writes text alone, of which there
+    // is none.
+    gl2psBeginPage("view", "compare", viewport, list ? GL2PS_SVG : GL2PS_TEX, GL2PS_BSP_SORT, options, GL_RGBA, 0,
                    nullptr, 0, 0, 0, 1 << 20, stream, "view");
     for (std::uint32_t k = 0; k < view_.size(); ++k) add(k);
     const GLint code = gl2psEndPage();

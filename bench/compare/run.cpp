@@ -47,27 +47,40 @@ void judge(const Outcome& truth, ViewResult& view) {
   for (const PolygonId p : named) view.falsely += may.contains(p) ? 0U : 1U;
 }
 
-/// The cameras in turn, some times over: each is met with the caches as another camera left them.
-void run_here(Method& method, const std::vector<Camera>& cameras, const RunOptions& options, MethodResult& result) {
-  std::vector<std::vector<double>> times(cameras.size());
+/// A method that runs in this process, with the times of its passes.
+struct Racer {
+  Method* method;
+  MethodResult* result;
+  std::vector<std::vector<double>> times;
   double spent = 0;
-  for (int pass = 0; pass < options.passes; ++pass) {
-    for (std::size_t k = 0; k < cameras.size(); ++k) {
-      if (spent > options.budget) break;
-      Outcome out;
-      const double start = cpu_seconds();
-      try {
-        out = method.map(cameras[k], pass == 0 ? Want::visible : Want::time);
-      } catch (const std::exception& e) {
-        out = failure(e.what());
-      }
-      spent += cpu_seconds() - start;
-      if (pass == 0) result.views.push_back({out, false, 0, 0});
-      if (pass > 0 || options.passes == 1) times[k].push_back(out.seconds);  // the first pass warms buffers
+};
+
+/// The cameras in turn: each is met with the caches as another camera left them.
+void one_pass(Racer& racer, const std::vector<Camera>& cameras, const RunOptions& options, bool first) {
+  for (std::size_t k = 0; k < cameras.size() && racer.spent < options.budget; ++k) {
+    Outcome out;
+    const double start = cpu_seconds();
+    try {
+      out = racer.method->map(cameras[k], first ? Want::visible : Want::time);
+    } catch (const std::exception& e) {
+      out = failure(e.what());
     }
+    racer.spent += cpu_seconds() - start;
+    if (first) racer.result->views.push_back({out, false, 0, 0});
+    if (!first && out.status == Status::done) racer.times[k].push_back(out.seconds);
   }
-  for (std::size_t k = 0; k < result.views.size(); ++k) {
-    if (!times[k].empty()) result.views[k].outcome.seconds = median(times[k]);
+}
+
+/// All methods in turn, some times over: what else the machine does meets all of them alike. The first pass warms
+/// buffers, and counts only where there is no other.
+void race(std::vector<Racer>& racers, const std::vector<Camera>& cameras, const RunOptions& options) {
+  for (int pass = 0; pass <= options.passes; ++pass) {
+    for (Racer& racer : racers) one_pass(racer, cameras, options, pass == 0);
+  }
+  for (Racer& racer : racers) {
+    for (std::size_t k = 0; k < racer.result->views.size(); ++k) {
+      if (!racer.times[k].empty()) racer.result->views[k].outcome.seconds = median(racer.times[k]);
+    }
   }
 }
 
@@ -95,16 +108,31 @@ SceneResult run(Subject subject, const Methods& methods, const RunOptions& optio
   out.vertices = static_cast<std::uint32_t>(scene.soup().vertices.size());
   out.bits = scene.grid().bits();
   out.left_out = pieces_of(scene).left_out;
+  out.methods.reserve(methods.size());  // racers point into it
+  std::vector<Racer> racers;
   for (const auto& method : methods) {
-    std::fprintf(stderr, "%s: %s\n", out.name.c_str(), method->name().c_str());
-    MethodResult result{method->name(), method->kind(), {}, {}, {}};
+    out.methods.push_back({method->name(), method->kind(), {}, {}, {}});
+    if (method->in_child()) continue;
+    MethodResult& result = out.methods.back();
+    std::fprintf(stderr, "%s: %s prepares\n", out.name.c_str(), method->name().c_str());
     try {
       result.cost = method->prepare(scene);
-      (method->in_child() ? run_children : run_here)(*method, cameras, options, result);
+      racers.push_back({method.get(), &result, std::vector<std::vector<double>>(cameras.size()), 0});
     } catch (const std::exception& e) {
       result.fault = e.what();
     }
-    out.methods.push_back(std::move(result));
+  }
+  std::fprintf(stderr, "%s: %zu methods, %zu cameras\n", out.name.c_str(), racers.size(), cameras.size());
+  race(racers, cameras, options);
+  for (std::size_t k = 0; k < methods.size(); ++k) {
+    if (!methods[k]->in_child()) continue;
+    std::fprintf(stderr, "%s: %s\n", out.name.c_str(), methods[k]->name().c_str());
+    try {
+      out.methods[k].cost = methods[k]->prepare(scene);
+      run_children(*methods[k], cameras, options, out.methods[k]);
+    } catch (const std::exception& e) {
+      out.methods[k].fault = e.what();
+    }
   }
   for (const auto& method : methods) method->release();
 
