@@ -9,3 +9,7 @@ set key outside right top reverse Left
 set ylabel "milliseconds a view, one thread"
 stats data using 0 nooutput
 blocks = STATS_blocks
+# Ours comes first, in black; the floor, a ray a vertex of the map, last, in grey.
+array colours[12] = ["#111111", "#c8102e", "#f4a259", "#e8c547", "#8cb369", "#4f9d69", "#2a9d8f", "#457b9d", "#7b6db0", \
+                     "#b56576", "#6d597a", "#355070"]
+colour(i) = i == blocks - 1 ? 0xaaaaaa : int("0x" . substr(colours[i % 12 + 1], 2, 7))

@@ -37,7 +37,7 @@ void write_blocks(const std::filesystem::path& file, Blocks& blocks) {
 
 void draw(const std::filesystem::path& folder, std::span<const SceneResult> scenes) {
   std::filesystem::create_directories(folder);
-  Blocks size, complexity;
+  Blocks size, complexity, size_floors, floors;  // the floors come last: drawn in grey
   for (const SceneResult& s : scenes) {
     const MethodResult* reference = s.reference();
     const bool of_sizes = s.name.starts_with("building") && s.name.find('@') == std::string::npos;
@@ -53,7 +53,16 @@ void draw(const std::filesystem::path& folder, std::span<const SceneResult> scen
         add(complexity, m.name, reference->views[k].outcome.vertices, m.views[k].outcome.seconds * 1e3);
       }
     }
+    if (reference == nullptr || !(s.ray_seconds > 0)) continue;
+    std::vector<double> limits;
+    for (const ViewResult& v : reference->views) {
+      limits.push_back(v.outcome.vertices * s.ray_seconds * 1e3);
+      add(floors, "a ray a vertex", v.outcome.vertices, limits.back());
+    }
+    if (of_sizes) add(size_floors, "a ray a vertex", s.polygons, median(limits));
   }
+  size.insert(size.end(), size_floors.begin(), size_floors.end());
+  complexity.insert(complexity.end(), floors.begin(), floors.end());
   write_blocks(folder / "size.dat", size);
   write_blocks(folder / "complexity.dat", complexity);
   for (const std::string picture : {"size", "complexity"}) {
