@@ -42,24 +42,20 @@ void draw(const std::filesystem::path& folder, std::span<const SceneResult> scen
     const MethodResult* reference = s.reference();
     const bool of_sizes = s.name.starts_with("building") && s.name.find('@') == std::string::npos;
     for (const MethodResult& m : s.methods) {
-      if (m.kind == Method::Kind::ray || m.views.empty()) continue;
+      if (m.kind == Method::Kind::ray) continue;
       const Figures f = figures_of(s, m);
       // A median of views that were cut off is no time.
       if (of_sizes && f.median_seconds > 0 && 2 * f.cut_off < f.views) {
         add(size, m.name, s.polygons, f.median_seconds * 1e3);
       }
-      for (std::size_t k = 0; reference != nullptr && k < std::min(m.views.size(), reference->views.size()); ++k) {
-        if (m.views[k].outcome.status != Status::done) continue;
+      for (std::size_t k = 0; reference != nullptr && k < m.views.size(); ++k) {
+        if (!m.views[k].done() || !reference->views[k].done()) continue;
         add(complexity, m.name, reference->views[k].outcome.vertices, m.views[k].outcome.seconds * 1e3);
       }
     }
     if (reference == nullptr || !(s.ray_seconds > 0)) continue;
-    std::vector<double> limits;
-    for (const ViewResult& v : reference->views) {
-      limits.push_back(v.outcome.vertices * s.ray_seconds * 1e3);
-      add(floors, "a ray a vertex", v.outcome.vertices, limits.back());
-    }
-    if (of_sizes) add(size_floors, "a ray a vertex", s.polygons, median(limits));
+    for (const double n : s.map_vertices()) add(floors, "a ray a vertex", n, n * s.ray_seconds * 1e3);
+    if (of_sizes) add(size_floors, "a ray a vertex", s.polygons, median(s.map_vertices()) * s.ray_seconds * 1e3);
   }
   size.insert(size.end(), size_floors.begin(), size_floors.end());
   complexity.insert(complexity.end(), floors.begin(), floors.end());

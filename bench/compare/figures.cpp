@@ -8,9 +8,10 @@ Figures figures_of(const SceneResult& scene, const MethodResult& method) {
   Figures out;
   const MethodResult* reference = scene.reference();
   std::vector<double> times, ratios, measures;
-  out.views = method.views.size();
   for (std::size_t k = 0; k < method.views.size(); ++k) {
     const ViewResult& v = method.views[k];
+    if (!v.begun()) continue;
+    ++out.views;
     if (v.outcome.status == Status::failed) {
       ++out.failed;
       continue;
@@ -23,7 +24,7 @@ Figures figures_of(const SceneResult& scene, const MethodResult& method) {
       out.falsely += v.falsely;
       if (v.missed + v.falsely > 0) ++out.wrong_views;
     }
-    if (reference == nullptr || k >= reference->views.size() || method.kind == Method::Kind::ray) continue;
+    if (reference == nullptr || method.kind == Method::Kind::ray) continue;
     const Outcome& truth = reference->views[k].outcome;
     if (truth.status != Status::done) continue;
     if (truth.seconds > 0) ratios.push_back(v.outcome.seconds / truth.seconds);

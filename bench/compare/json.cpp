@@ -35,7 +35,10 @@ std::string json(std::span<const SceneResult> scenes) {
     for (const MethodResult& m : s.methods) {
       const Figures f = figures_of(s, m);
       ordered_json views = ordered_json::array();
-      for (std::size_t k = 0; k < m.views.size(); ++k) views.push_back(view_json(s.cameras[k], m.views[k]));
+      for (std::size_t k = 0; k < m.views.size(); ++k) {
+        if (m.views[k].begun()) views.push_back(view_json(s.cameras[k], m.views[k]));
+      }
+
       ordered_json entry{{"name", m.name}, {"prepare_seconds", m.cost.seconds}, {"bytes", m.cost.bytes}};
       if (!m.fault.empty()) entry["fault"] = m.fault;
       entry["median_seconds"] = f.median_seconds;

@@ -26,7 +26,7 @@ struct Cost {
   std::size_t bytes = 0;
 };
 
-enum class Status : int { done, cut_off, failed };
+enum class Status : int { done, cut_off, failed, not_begun };
 
 /// One view by one method.
 struct Outcome {

@@ -18,9 +18,27 @@ double median(std::vector<double> values) {
 
 const MethodResult* SceneResult::reference() const {
   for (const MethodResult& m : methods) {
-    if (m.kind == Method::Kind::map && !m.views.empty()) return &m;
+    if (m.kind == Method::Kind::map && std::ranges::any_of(m.views, &ViewResult::done)) return &m;
   }
   return nullptr;
+}
+
+std::vector<double> SceneResult::visible_polygons() const {
+  std::vector<double> out;
+  if (reference() == nullptr) return out;
+  for (const ViewResult& v : reference()->views) {
+    if (v.done()) out.push_back(static_cast<double>(v.outcome.visible.size()));
+  }
+  return out;
+}
+
+std::vector<double> SceneResult::map_vertices() const {
+  std::vector<double> out;
+  if (reference() == nullptr) return out;
+  for (const ViewResult& v : reference()->views) {
+    if (v.done()) out.push_back(v.outcome.vertices);
+  }
+  return out;
 }
 
 namespace {
@@ -66,7 +84,7 @@ void one_pass(Racer& racer, const std::vector<Camera>& cameras, const RunOptions
       out = failure(e.what());
     }
     racer.spent += cpu_seconds() - start;
-    if (first) racer.result->views.push_back({out, false, 0, 0});
+    if (first) racer.result->views[k].outcome = out;
     if (!first && out.status == Status::done) racer.times[k].push_back(out.seconds);
   }
 }
@@ -84,12 +102,32 @@ void race(std::vector<Racer>& racers, const std::vector<Camera>& cameras, const 
   }
 }
 
-void run_children(Method& method, const std::vector<Camera>& cameras, const RunOptions& options, MethodResult& result) {
+/// The cameras from the one with the median number of pieces in its view outwards: where the budget allows a slow
+/// method a few views only, these are ordinary ones.
+std::vector<std::size_t> ordinary_first(const Scene& scene, const Pieces& pieces, const std::vector<Camera>& cameras) {
+  std::vector<std::pair<std::uint32_t, std::size_t>> by_size;
+  Projected view;
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    project(scene, pieces, cameras[k], view);
+    by_size.emplace_back(view.size(), k);
+  }
+  std::ranges::sort(by_size);
+  std::vector<std::size_t> out;
+  const std::size_t n = by_size.size();
+  for (std::size_t step = 0; step < n; ++step) {  // n/2, n/2 - 1, n/2 + 1, ...
+    const std::size_t half = (step + 1) / 2, at = step % 2 == 1 ? n / 2 - half : n / 2 + half;
+    out.push_back(by_size[at].second);
+  }
+  return out;
+}
+
+void run_children(Method& method, const std::vector<Camera>& cameras, std::span<const std::size_t> order,
+                  const RunOptions& options, MethodResult& result) {
   double spent = 0;
-  for (const Camera& camera : cameras) {
+  for (const std::size_t k : order) {
     if (spent >= options.budget) break;
-    result.views.push_back({map_in_child(method, camera, options.child), false, 0, 0});
-    spent += result.views.back().outcome.seconds;
+    result.views[k].outcome = map_in_child(method, cameras[k], options.child);
+    spent += result.views[k].outcome.seconds;
   }
 }
 
@@ -107,11 +145,13 @@ SceneResult run(Subject subject, const Methods& methods, const RunOptions& optio
   out.polygons = scene.polygon_count();
   out.vertices = static_cast<std::uint32_t>(scene.soup().vertices.size());
   out.bits = scene.grid().bits();
-  out.left_out = pieces_of(scene).left_out;
+  const Pieces pieces = pieces_of(scene);
+  out.left_out = pieces.left_out;
+  const std::vector<std::size_t> order = ordinary_first(scene, pieces, cameras);
   out.methods.reserve(methods.size());  // racers point into it
   std::vector<Racer> racers;
   for (const auto& method : methods) {
-    out.methods.push_back({method->name(), method->kind(), {}, {}, {}});
+    out.methods.push_back({method->name(), method->kind(), {}, {}, std::vector<ViewResult>(cameras.size())});
     if (method->in_child()) continue;
     MethodResult& result = out.methods.back();
     std::fprintf(stderr, "%s: %s prepares\n", out.name.c_str(), method->name().c_str());
@@ -129,7 +169,7 @@ SceneResult run(Subject subject, const Methods& methods, const RunOptions& optio
     std::fprintf(stderr, "%s: %s\n", out.name.c_str(), methods[k]->name().c_str());
     try {
       out.methods[k].cost = methods[k]->prepare(scene);
-      run_children(*methods[k], cameras, options, out.methods[k]);
+      run_children(*methods[k], cameras, order, options, out.methods[k]);
     } catch (const std::exception& e) {
       out.methods[k].fault = e.what();
     }
@@ -139,15 +179,16 @@ SceneResult run(Subject subject, const Methods& methods, const RunOptions& optio
   std::vector<double> rays;
   for (const MethodResult& m : out.methods) {
     if (m.kind != Method::Kind::ray) continue;
-    for (const ViewResult& v : m.views) rays.push_back(v.outcome.seconds);
+    for (const ViewResult& v : m.views) {
+      if (v.done()) rays.push_back(v.outcome.seconds);
+    }
   }
   out.ray_seconds = median(rays);
   if (const MethodResult* reference = out.reference()) {
     const std::vector<ViewResult> truth = reference->views;
-    for (const ViewResult& v : truth) out.visible.push_back(static_cast<std::uint32_t>(v.outcome.visible.size()));
     for (MethodResult& m : out.methods) {
-      for (std::size_t k = 0; k < std::min(m.views.size(), truth.size()); ++k) {
-        const bool both = m.views[k].outcome.status == Status::done && truth[k].outcome.status == Status::done;
+      for (std::size_t k = 0; k < truth.size(); ++k) {
+        const bool both = m.views[k].done() && truth[k].done();
         if (both && m.views[k].outcome.gives_visible) judge(truth[k].outcome, m.views[k]);
       }
     }

@@ -15,6 +15,10 @@ struct RunOptions {
 
 /// One method's answer to one camera, judged by the reference.
 struct ViewResult {
+  ViewResult() { outcome.status = Status::not_begun; }
+  bool begun() const { return outcome.status != Status::not_begun; }
+  bool done() const { return outcome.status == Status::done; }
+
   Outcome outcome;
   bool judged = false;
   std::uint32_t missed = 0;   // polygons that are visible and were not named
@@ -26,7 +30,7 @@ struct MethodResult {
   Method::Kind kind;
   Cost cost;
   std::string fault;              // why it could not be prepared
-  std::vector<ViewResult> views;  // by camera; shorter than the cameras where the budget ran out
+  std::vector<ViewResult> views;  // by camera; not begun where the budget ran out before
 };
 
 struct SceneResult {
@@ -34,14 +38,15 @@ struct SceneResult {
   std::uint32_t polygons = 0, vertices = 0;
   std::uint32_t left_out = 0;  // polygons that cross themselves: the peers are not given them
   int bits = 0;
-  double read_seconds = 0;             // from polygons in memory to the exact scene
-  std::vector<std::size_t> cameras;    // their indices
-  double ray_seconds = 0;              // one incoherent ray: the median over the cameras; 0: not measured
-  std::vector<std::uint32_t> visible;  // polygons, by camera
+  double read_seconds = 0;           // from polygons in memory to the exact scene
+  std::vector<std::size_t> cameras;  // their indices
+  double ray_seconds = 0;            // one incoherent ray: the median over the cameras; 0: not measured
   std::vector<MethodResult> methods;
 
   /// The first map that was made: what the others are judged and measured by; nullptr where there is none.
   const MethodResult* reference() const;
+  /// Of the maps that it made.
+  std::vector<double> visible_polygons() const, map_vertices() const;
 };
 
 SceneResult run(Subject subject, const Methods& methods, const RunOptions& options);

@@ -24,17 +24,9 @@ std::string number(double v, const char* before = "") {
   return before + out;
 }
 
-std::string median_vertices(const SceneResult& scene) {
-  const MethodResult* reference = scene.reference();
-  if (reference == nullptr) return "-";
-  std::vector<double> counts;
-  for (const ViewResult& v : reference->views) counts.push_back(v.outcome.vertices);
-  return number(median(counts));
-}
+std::string median_vertices(const SceneResult& scene) { return number(median(scene.map_vertices())); }
 
-std::string median_visible(const SceneResult& scene) {
-  return number(median({scene.visible.begin(), scene.visible.end()}));
-}
+std::string median_visible(const SceneResult& scene) { return number(median(scene.visible_polygons())); }
 
 }  // namespace
 
@@ -98,15 +90,12 @@ void print_summary(std::FILE* out, std::span<const SceneResult> scenes) {
   for (std::size_t k = 0; k < names.size(); ++k) std::fprintf(out, "---|");
   std::fprintf(out, "\n");
   for (const SceneResult& s : scenes) {
-    std::vector<double> limits;
-    if (const MethodResult* reference = s.reference()) {
-      for (const ViewResult& v : reference->views) limits.push_back(v.outcome.vertices * s.ray_seconds * 1e6);
-    }
+    const double limit = median(s.map_vertices()) * s.ray_seconds * 1e6;
     std::fprintf(out, "| %s | %u | %s | %s | %s | %s |", s.name.c_str(), s.polygons, median_visible(s).c_str(),
-                 median_vertices(s).c_str(), number(s.ray_seconds * 1e6).c_str(), number(median(limits)).c_str());
+                 median_vertices(s).c_str(), number(s.ray_seconds * 1e6).c_str(), number(limit).c_str());
     for (const std::string& n : names) {
       const auto m = std::ranges::find(s.methods, n, &MethodResult::name);
-      if (m == s.methods.end() || m->views.empty()) {
+      if (m == s.methods.end() || std::ranges::none_of(m->views, &ViewResult::begun)) {
         std::fprintf(out, " - |");
         continue;
       }
