@@ -1,6 +1,7 @@
 # What both pictures share. Blocks of points in `data`, each named in its first line.
 set terminal svg size 820,560 dynamic background rgb "#faf9f6" font "sans,13" fontscale 1 linewidth 1.2
 set logscale xy
+set yrange [1e-3:*]
 set format y "10^{%L}"
 set grid xtics ytics linecolor rgb "#dddad2"
 set border 3 linecolor rgb "#555555"
