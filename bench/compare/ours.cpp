@@ -2,6 +2,7 @@
 #include "beam/trace.hpp"
 #include "bench/compare/method.hpp"
 #include "bsp/build.hpp"
+#include "bsp/tree.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -27,6 +28,35 @@ Outcome outcome_of(const VisibilityMap& map, double seconds, Want want) {
   out.visible.erase(std::ranges::unique(out.visible).begin(), out.visible.end());
   return out;
 }
+
+/// Engine `front-to-back`: the polygons in the order of a tree.
+class FrontToBack : public Method {
+ public:
+  FrontToBack() : Method("front-to-back", Kind::map) {}
+
+  Cost prepare(const Scene& scene) override {
+    const double start = cpu_seconds();
+    tree_.emplace(scene);
+    tracer_.emplace(*tree_);
+    return {cpu_seconds() - start, tree_->size().bytes};
+  }
+
+  Outcome map(const Camera& camera, Want want) override {
+    const double start = cpu_seconds();
+    tracer_->trace(camera, map_);
+    return outcome_of(map_, cpu_seconds() - start, want);
+  }
+
+  void release() override {
+    tracer_.reset();
+    tree_.reset();
+  }
+
+ private:
+  std::optional<BspTree> tree_;
+  std::optional<Tracer> tracer_;
+  VisibilityMap map_;
+};
 
 /// Engine `cells`: beams through a winged-pair complex.
 class Cells : public Method {
@@ -61,6 +91,7 @@ class Cells : public Method {
 
 Methods make_ours() {
   Methods all;
+  all.push_back(std::make_unique<FrontToBack>());
   all.push_back(std::make_unique<Cells>());
   return all;
 }

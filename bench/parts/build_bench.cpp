@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bsp/build.hpp"
+#include "bsp/tree.hpp"
 #include "models/model.hpp"
 #include "winged_pair/split.hpp"
 
@@ -50,6 +51,16 @@ BENCHMARK_CAPTURE(build, city, "city", 0)->Arg(1'125)->Unit(benchmark::kMillisec
 BENCHMARK_CAPTURE(build, random, "random", 0)->Arg(100)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(build, building, "building", 0)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(build, building_rotated, "building", 17)->Arg(1'000)->Unit(benchmark::kMillisecond);
+
+void tree(benchmark::State& state, const char* name, double rotate) {
+  const Scene made = make_scene(model(name, state.range(0), rotate));
+  for (auto _ : state) benchmark::DoNotOptimize(BspTree(made));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK_CAPTURE(tree, city, "city", 0)->Arg(1'125)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tree, random, "random", 0)->Arg(1'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tree, building, "building", 0)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tree, building_rotated, "building", 17)->Arg(10'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace sightline::bench
