@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs from Debian's packages what building and testing sightline needs and this machine lacks. Asks nothing;
-# does nothing when nothing is missing.
+# does nothing when nothing is missing. With --peers also what bench/compare sets beside it.
 set -euo pipefail
 
 packages=(
@@ -10,7 +10,19 @@ packages=(
   nlohmann-json3-dev libeigen3-dev
   libcgal-dev                           # the slow, independent way to the same answers: tests and sightline-verify
   libgtest-dev librapidcheck-dev libbenchmark-dev
+  valgrind                              # counts instructions: tests/instructions
 )
+peers=(
+  libembree-dev libgl2ps-dev
+  libocct-modeling-algorithms-dev libocct-visualization-dev
+  zlib1g-dev gnuplot-nox                # zipped scenes, pictures
+)
+
+case "${1:-}" in
+  "") ;;
+  --peers) packages+=("${peers[@]}") ;;
+  *) echo "usage: $0 [--peers]" >&2; exit 2 ;;
+esac
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "setup: this is no Debian system; please install the equivalents of: ${packages[*]}" >&2

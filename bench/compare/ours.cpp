@@ -1,0 +1,99 @@
+// The engines of this library.
+#include "beam/trace.hpp"
+#include "bench/compare/method.hpp"
+#include "bsp/build.hpp"
+#include "bsp/tree.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace sightline::peers {
+namespace {
+
+/// What a finished map says to the comparison.
+Outcome outcome_of(const VisibilityMap& map, double seconds, Want want) {
+  Outcome out;
+  out.seconds = seconds;
+  out.faces = static_cast<std::uint32_t>(map.faces.size());
+  out.edges = static_cast<std::uint32_t>(map.edges.size());
+  out.vertices = static_cast<std::uint32_t>(map.vertices.size());
+  if (want != Want::visible) return out;
+  out.gives_visible = true;
+  for (const MapFace& f : map.faces) {
+    if (f.polygon == none) continue;
+    out.visible.push_back(f.polygon);
+    for (const PolygonId p : map.coincident_of(f)) out.coincident.emplace_back(f.polygon, p);
+  }
+  std::ranges::sort(out.visible);
+  out.visible.erase(std::ranges::unique(out.visible).begin(), out.visible.end());
+  return out;
+}
+
+/// Engine `front-to-back`: the polygons in the order of a tree.
+class FrontToBack : public Method {
+ public:
+  FrontToBack() : Method("front-to-back", Kind::map) {}
+
+  Cost prepare(const Scene& scene) override {
+    const double start = cpu_seconds();
+    tree_.emplace(scene);
+    tracer_.emplace(*tree_);
+    return {cpu_seconds() - start, tree_->size().bytes};
+  }
+
+  Outcome map(const Camera& camera, Want want) override {
+    const double start = cpu_seconds();
+    tracer_->trace(camera, map_);
+    return outcome_of(map_, cpu_seconds() - start, want);
+  }
+
+  void release() override {
+    tracer_.reset();
+    tree_.reset();
+  }
+
+ private:
+  std::optional<BspTree> tree_;
+  std::optional<Tracer> tracer_;
+  VisibilityMap map_;
+};
+
+/// Engine `cells`: beams through a winged-pair complex.
+class Cells : public Method {
+ public:
+  Cells() : Method("cells", Kind::map) {}
+
+  Cost prepare(const Scene& scene) override {
+    const double start = cpu_seconds();
+    complex_ = build(scene);
+    tracer_.emplace(scene, complex_);
+    return {cpu_seconds() - start, complex_bytes(complex_)};
+  }
+
+  Outcome map(const Camera& camera, Want want) override {
+    const double start = cpu_seconds();
+    tracer_->trace(camera, map_);
+    return outcome_of(map_, cpu_seconds() - start, want);
+  }
+
+  void release() override {
+    tracer_.reset();
+    complex_ = {};
+  }
+
+ private:
+  Complex complex_;
+  std::optional<Tracer> tracer_;
+  VisibilityMap map_;
+};
+
+}  // namespace
+
+Methods make_ours() {
+  Methods all;
+  all.push_back(std::make_unique<FrontToBack>());
+  all.push_back(std::make_unique<Cells>());
+  return all;
+}
+
+}  // namespace sightline::peers
