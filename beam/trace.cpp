@@ -1,7 +1,7 @@
 #include "beam/trace.hpp"
 
+#include <algorithm>
 #include <chrono>
-#include <glm/geometric.hpp>
 
 #include "beam/cells.hpp"
 #include "beam/front_to_back.hpp"
@@ -9,11 +9,26 @@
 
 namespace sightline {
 
+namespace {
+
+using Border = std::array<SightlineRef, 4>;  // by Window::Side
+
+void count(const VisibilityMap& map, TraceStats* stats) {
+  if (!stats) return;
+  stats->faces = static_cast<std::uint32_t>(map.faces.size());
+  stats->edges = static_cast<std::uint32_t>(map.edges.size());
+  stats->vertices = static_cast<std::uint32_t>(map.vertices.size());
+}
+
+}  // namespace
+
 struct Tracer::State {
   explicit State(std::unique_ptr<Engine> e) : engine(std::move(e)) {}
 
   void begin(const glm::dvec3& eye);
-  void finish(const VisibilityMap& map, TraceStats* stats) const;
+  /// The fragments of a camera's window; gives the window's sides.
+  Border fill(const Camera& camera, const Window& window);
+  void finish(TraceStats* stats) const;
 
   std::unique_ptr<Engine> engine;
   Stitcher stitcher;
@@ -29,15 +44,26 @@ void Tracer::State::begin(const glm::dvec3& eye) {
   engine->begin();
 }
 
-void Tracer::State::finish(const VisibilityMap& map, TraceStats* stats) const {
+Border Tracer::State::fill(const Camera& camera, const Window& window) {
+  begin(camera.eye);
+  View& view = engine->view;
+  const Border border = {window.side(view.table, Window::left), window.side(view.table, Window::right),
+                         window.side(view.table, Window::bottom), window.side(view.table, Window::top)};
+  // Counter-clockwise as an ordinary camera sees it; a mirrored one has its right side on the eye's left.
+  const bool mirrored = window.handedness() < 0;
+  const SightlineRef sides[] = {border[Window::bottom], border[mirrored ? Window::left : Window::right],
+                                border[Window::top], border[mirrored ? Window::right : Window::left]};
+  engine->fill(view.regions.push(view.table, sides), window.ahead());
+  return border;
+}
+
+void Tracer::State::finish(TraceStats* stats) const {
   if (!stats) return;
+  *stats = {};
   stats->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   stats->beams = engine->view.beams;
   stats->cells = engine->view.cells;
   stats->fragments = static_cast<std::uint32_t>(engine->view.fragments.fragments.size());
-  stats->faces = static_cast<std::uint32_t>(map.faces.size());
-  stats->edges = static_cast<std::uint32_t>(map.edges.size());
-  stats->vertices = static_cast<std::uint32_t>(map.vertices.size());
 }
 
 Tracer::Tracer(const Scene& scene, const Complex& complex)
@@ -50,21 +76,26 @@ void Tracer::trace(const Camera& camera, VisibilityMap& map, TraceStats* stats) 
   State& s = *state_;
   s.start = std::chrono::steady_clock::now();
   const Window window(camera.forward, camera.right, camera.up);
-  s.begin(camera.eye);
+  const Border border = s.fill(camera, window);
   View& view = s.engine->view;
-  const std::array<SightlineRef, 4> border = {
-      window.side(view.table, Window::left), window.side(view.table, Window::right),
-      window.side(view.table, Window::bottom), window.side(view.table, Window::top)};
-  // Counter-clockwise as an ordinary camera sees it; a mirrored one has its right side on the eye's left.
-  const bool mirrored = window.handedness() < 0;
-  const SightlineRef sides[] = {border[Window::bottom], border[mirrored ? Window::left : Window::right],
-                                border[Window::top], border[mirrored ? Window::right : Window::left]};
-  // The window's own plane: in front of it lies all that is seen.
-  const glm::dvec3 r = glm::normalize(camera.right), u = glm::normalize(camera.up);
-  const glm::dvec3 ahead = glm::cross(u, r) * static_cast<double>(window.handedness());
-  s.engine->fill(view.regions.push(view.table, sides), ahead);
   s.stitcher.stitch(view.scene, camera, window, border, view.table, view.fragments, map);
-  s.finish(map, stats);
+  s.finish(stats);
+  count(map, stats);
+}
+
+void Tracer::visible(const Camera& camera, std::vector<PolygonId>& polygons, TraceStats* stats) {
+  State& s = *state_;
+  s.start = std::chrono::steady_clock::now();
+  s.fill(camera, Window(camera.forward, camera.right, camera.up));
+  const View& view = s.engine->view;
+  polygons.clear();
+  for (const Fragment& f : view.fragments.fragments) {
+    if (f.seen_count == 0) continue;
+    polygons.push_back(view.scene.surfaces()[view.fragments.seen[f.first_seen]].polygon);
+  }
+  std::sort(polygons.begin(), polygons.end());
+  polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
+  s.finish(stats);
 }
 
 void Tracer::trace_sphere(const glm::dvec3& eye, VisibilityMap& map, TraceStats* stats) {
@@ -92,7 +123,8 @@ void Tracer::trace_sphere(const glm::dvec3& eye, VisibilityMap& map, TraceStats*
     view.regions.release(0);
   }
   s.stitcher.stitch_sphere(view.scene, eye, view.table, view.fragments, map);
-  s.finish(map, stats);
+  s.finish(stats);
+  count(map, stats);
 }
 
 }  // namespace sightline

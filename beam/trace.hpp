@@ -32,6 +32,8 @@ class Tracer {
   ~Tracer();
 
   void trace(const Camera& camera, VisibilityMap& map, TraceStats* stats = nullptr);
+  /// Only which polygons are seen, ascending: those of the map's faces. No map is put together, which is half the work.
+  void visible(const Camera& camera, std::vector<PolygonId>& polygons, TraceStats* stats = nullptr);
   /// The map of all directions around the eye: no window, see VisibilityMap::sphere.
   void trace_sphere(const glm::dvec3& eye, VisibilityMap& map, TraceStats* stats = nullptr);
 

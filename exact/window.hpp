@@ -23,6 +23,8 @@ class Window {
   SightlineRef side(SightlineTable& table, Side which) const;
   /// +1: right x up points backwards, as in every camera made from angles; -1: a mirrored camera.
   Sign handedness() const { return handedness_; }
+  /// The normal of the window's own plane, away from the eye: largest component in [1/2, 1], each within 2^-53.
+  glm::dvec3 ahead() const { return across_ * static_cast<double>(-handedness_); }
   /// (s,t) of the ray in which two different sightlines meet, each coordinate the nearest double; not a number where
   /// they meet at infinity (a ray parallel to the window).
   glm::dvec2 st(const SightlineTable& table, SightlineId a, SightlineId b) const;

@@ -1,7 +1,7 @@
 // A scene that hides nothing: what the stitcher is given when tracing is left out.
 #pragma once
 
-#include "exact/sightline_table.hpp"
+#include "exact/window.hpp"
 #include "scene/camera.hpp"
 #include "visibility_map/fragment.hpp"
 

@@ -69,6 +69,48 @@ void print_tally(const Tally& t) {
   std::printf("\n");
 }
 
+/// Table 2: the maps of all cameras, by whatever engine the tracer has.
+void trace_all(const Subject& subject, double polygons, Tracer& tracer) {
+  Spread beams, fragments, faces, edges, milliseconds;
+  VisibilityMap map;
+  TraceStats stats;
+  tracer.trace(subject.cameras[0], map, &stats);  // warms the buffers
+  for (const Camera& camera : subject.cameras) {
+    const double before_map = cpu_seconds();
+    tracer.trace(camera, map, &stats);
+    milliseconds.add((cpu_seconds() - before_map) * 1e3);
+    beams.add(stats.beams);
+    fragments.add(stats.fragments);
+    faces.add(stats.faces);
+    edges.add(stats.edges);
+  }
+  std::printf("%-14s | %.0f", subject.name.c_str(), polygons);
+  beams.print("%.0f");
+  faces.print("%.0f");
+  edges.print("%.0f");
+  milliseconds.print("%.3f");
+  std::printf(" | fragments");
+  fragments.print("%.0f");
+  std::printf("\n");
+}
+
+/// The engine that has no complex: the tree in place of table 1.
+void run_on_tree(const Subject& subject, bool decisions) {
+  const Scene scene = make_scene(subject.soup);
+  const double start = cpu_seconds();
+  const BspTree tree(scene);
+  const double growing = cpu_seconds() - start;
+  const BspTree::Size size = tree.size();
+  std::printf("%-14s | %u | %zu nodes | %zu pieces | %.3f | %.1f MB, peak %.0f MB\n", subject.name.c_str(),
+              scene.polygon_count(), size.nodes, size.pieces, growing, static_cast<double>(size.bytes) / 1e6,
+              peak_megabytes());
+  if (subject.cameras.empty()) return;
+  const Tally before = tally_total();
+  Tracer tracer(tree);
+  trace_all(subject, scene.polygon_count(), tracer);
+  if (decisions) print_tally(tally_total() - before);
+}
+
 void run(Subject& subject, const BuildOptions& how, bool prove, bool decisions) {
   const double start = cpu_seconds();
   const Scene scene = make_scene(subject.soup);
@@ -93,28 +135,8 @@ void run(Subject& subject, const BuildOptions& how, bool prove, bool decisions) 
     for (const std::string& fault : check(complex, scene)) std::printf("  FAULT %s\n", fault.c_str());
   }
   if (subject.cameras.empty()) return;
-  Spread beams, fragments, faces, edges, milliseconds;
   Tracer tracer(scene, complex);
-  VisibilityMap map;
-  TraceStats stats;
-  tracer.trace(subject.cameras[0], map, &stats);  // warms the buffers
-  for (const Camera& camera : subject.cameras) {
-    const double before_map = cpu_seconds();
-    tracer.trace(camera, map, &stats);
-    milliseconds.add((cpu_seconds() - before_map) * 1e3);
-    beams.add(stats.beams);
-    fragments.add(stats.fragments);
-    faces.add(stats.faces);
-    edges.add(stats.edges);
-  }
-  std::printf("%-14s | %.0f", subject.name.c_str(), n);
-  beams.print("%.0f");
-  faces.print("%.0f");
-  edges.print("%.0f");
-  milliseconds.print("%.3f");
-  std::printf(" | fragments");
-  fragments.print("%.0f");
-  std::printf("\n");
+  trace_all(subject, n, tracer);
   if (decisions) print_tally(tally_total() - after);
 }
 
@@ -126,7 +148,7 @@ int main(int argc, char** argv) {
   ModelOptions options;
   std::string scene_file, camera_file;
   BuildOptions how;
-  bool prove = false, decisions = false;
+  bool prove = false, decisions = false, tree = false;
   app.add_option("models", names, "models; default: the paper's six");
   app.add_option("--polygons", options.polygons);
   app.add_option("--rotate", options.rotate_degrees);
@@ -136,6 +158,7 @@ int main(int argc, char** argv) {
   app.add_option("--area", how.weights.area);
   app.add_option("--cover", how.weights.cover);
   app.add_option("--axis", how.weights.axis);
+  app.add_flag("--tree", tree, "engine front-to-back, on a tree, in place of cells");
   app.add_flag("--check", prove, "prove each complex (slow)");
   app.add_flag("--decisions", decisions, "count decisions by stage");
   CLI11_PARSE(app, argc, argv);
@@ -147,12 +170,12 @@ int main(int argc, char** argv) {
   try {
     for (const std::string& name : names) {
       Subject s = of_model(name, options);
-      run(s, how, prove, decisions);
+      tree ? run_on_tree(s, decisions) : run(s, how, prove, decisions);
     }
     if (!scene_file.empty()) {
       Subject s{scene_file, read_polygons(scene_file), {}};
       if (!camera_file.empty()) s.cameras = read_cameras(camera_file);
-      run(s, how, prove, decisions);
+      tree ? run_on_tree(s, decisions) : run(s, how, prove, decisions);
     }
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());

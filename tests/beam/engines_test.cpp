@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 #include <thread>
 
 #include "beam/trace.hpp"
@@ -64,6 +65,14 @@ class Pair {
     cells_.trace(camera, one);
     front_to_back_.trace(camera, two);
     EXPECT_EQ(map_json(one, scene_), map_json(two, scene_)) << what;
+    std::set<PolygonId> seen;
+    for (const MapFace& f : one.faces) seen.insert(f.polygon);
+    seen.erase(none);
+    for (Tracer* tracer : {&cells_, &front_to_back_}) {
+      std::vector<PolygonId> found;
+      tracer->visible(camera, found);
+      EXPECT_TRUE(std::equal(found.begin(), found.end(), seen.begin(), seen.end())) << what;
+    }
   }
   void expect_same_sphere(const glm::dvec3& eye) {
     VisibilityMap one, two;
@@ -136,6 +145,12 @@ TEST(Engines, SameBytesInExtremeWindows) {
     engines.expect_same(camera, std::to_string(degrees) + " mirrored");
     camera.up += 0.7 * camera.right + 0.3 * camera.forward;
     engines.expect_same(camera, std::to_string(degrees) + " skew");
+    camera.up = camera.right + 1e-13 * camera.up;  // all but dependent
+    engines.expect_same(camera, std::to_string(degrees) + " thin");
+    camera.forward *= 1e-200;
+    camera.right *= 1e-200;
+    camera.up *= 1e-200;
+    engines.expect_same(camera, std::to_string(degrees) + " tiny");
   }
 }
 

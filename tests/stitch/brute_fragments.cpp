@@ -1,5 +1,7 @@
 #include "tests/stitch/brute_fragments.hpp"
 
+#include "exact/window.hpp"
+
 #include <algorithm>
 
 namespace sightline::testing {
