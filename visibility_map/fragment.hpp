@@ -13,10 +13,10 @@ namespace sightline {
 /// seen from the eye (right hand rule of an ordinary camera: the corner between side i and the next side j is the ray
 /// n_j x n_i). At least 3 sides, each of positive length; no two sides have the same line.
 struct Fragment {
-  std::uint32_t first_side;   // into Fragments::sides
+  std::uint32_t first_side;  // into Fragments::sides
   std::uint32_t side_count;
-  std::uint32_t first_seen;   // into Fragments::seen: the pieces seen here, all in one plane, ascending by polygon;
-  std::uint32_t seen_count;   // the first is the owner, the others coincide with it. 0: nothing is hit.
+  std::uint32_t first_seen;  // into Fragments::seen: the pieces seen here, all in one plane, ascending by polygon;
+  std::uint32_t seen_count;  // the first is the owner, the others coincide with it. 0: nothing is hit.
 };
 
 /// Fragments that tile the window (or the sphere): interiors disjoint, nothing left out.
@@ -24,7 +24,11 @@ struct Fragments {
   std::vector<Fragment> fragments;
   std::vector<SightlineRef> sides;
   std::vector<SurfaceId> seen;
-  void clear() { fragments.clear(); sides.clear(); seen.clear(); }
+  void clear() {
+    fragments.clear();
+    sides.clear();
+    seen.clear();
+  }
 };
 
 }  // namespace sightline

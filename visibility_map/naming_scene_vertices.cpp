@@ -34,20 +34,26 @@ struct Place {
   double radius;
 };
 
-/// The unit ray of a corner, each component within `error`.
+/// The unit ray of a vertex, each component within `error`.
 struct UnitRay {
   glm::dvec3 at;
   double error;
 };
-UnitRay unit_ray(const State& s, const Corner& corner) {
-  const glm::dvec3 cross = glm::cross(s.table->approx(corner.low), s.table->approx(corner.high));
-  const double scale = 1 / glm::length(cross);
-  return {cross * scale, 0x1p-50 * scale};
+
+/// From where the vertex is seen, which is rounded once from exact numbers, and so good even where its lines are all
+/// but parallel. With u = 2^-53, s and t within u/2, and K the lengths of the camera's three vectors in all: forward +
+/// (s - 1/2) right + (t - 1/2) up is within 5 u K, and made unit within that over its length and 3 u. On the sphere the
+/// direction itself is rounded from exact numbers, within 6 u.
+UnitRay unit_ray(const State& s, const VertexDraft& vertex) {
+  if (!s.camera) return {vertex.direction, 0x1p-50};
+  const auto& [forward, right, up] = s.frame;
+  const glm::dvec3 ray = forward + (vertex.st.x - 0.5) * right + (vertex.st.y - 0.5) * up;
+  const double size = glm::length(forward) + glm::length(right) + glm::length(up);
+  return {vertex.direction, 0x1p-50 * (1 + size / glm::length(ray))};
 }
 
-/// Unit lines' normals a, b carry 2^-53 a component, so the ray a x b, made unit, is within 2^-50 / |a x b|. The
-/// plane's numbers carry 2^-53 each and the eye 2^-52 of its size: its value at the eye is within 2^-49 of the eye's
-/// scale, its value along the ray within twice the ray's error. The place is eye + t ray with t = value / along;
+/// The plane's numbers carry 2^-53 each and the eye 2^-52 of its size: its value at the eye is within 2^-49 of the
+/// eye's scale, its value along the ray within twice the ray's error. The place is eye + t ray with t = value / along;
 /// first-order errors are doubled, and doubled again, to cover the others. A divisor of no certain sign makes the
 /// radius infinite.
 Place seen_place(const State& s, const UnitRay& ray, PlaneId plane) {
@@ -77,7 +83,7 @@ void name_scene_vertices(State& s, VisibilityMap& map) {
   list_coincident(s, map);
   for (std::uint32_t v = 0; v < map.vertices.size(); ++v) {
     const Corner& at = s.corners[s.vertices[v].corner];
-    const UnitRay ray = unit_ray(s, at);
+    const UnitRay ray = unit_ray(s, s.vertices[v]);
     PointId best = none;
     s.planes_beside.clear();
     for (std::uint32_t k = s.out_start[v]; k < s.out_start[v + 1]; ++k) {

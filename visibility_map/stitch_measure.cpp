@@ -25,7 +25,7 @@ double solid_angle(const glm::dvec3& r, const glm::dvec3& a, const glm::dvec3& b
 /// The ray from which triangles are spanned: any, but vertices opposite to it cost accuracy. On the sphere the best of
 /// a few fixed ones.
 glm::dvec3 apex(const State& s, const VisibilityMap& map) {
-  if (s.camera) return glm::normalize(s.camera->forward);
+  if (s.camera) return glm::normalize(s.frame[0]);
   glm::dvec3 best{1, 0, 0};
   double farthest = -1;
   for (int k = 0; k < 16; ++k) {

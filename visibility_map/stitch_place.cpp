@@ -99,9 +99,16 @@ void set_axes(State& s) {
     return Axis{exact_cross(v, w), 0x1p-96 * largest(v) * largest(w)};
   };
   const Camera& c = *s.camera;
-  s.axes[0] = axis(c.right, c.up);
-  s.axes[1] = axis(c.up, c.forward);
-  s.axes[2] = axis(c.forward, c.right);
+  int exponent = 0;
+  std::frexp(std::max({largest(c.forward), largest(c.right), largest(c.up)}), &exponent);
+  const glm::dvec3* const given[3] = {&c.forward, &c.right, &c.up};
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) s.frame[i][k] = std::ldexp((*given[i])[k], -exponent);
+  }
+  const auto& [forward, right, up] = s.frame;
+  s.axes[0] = axis(right, up);
+  s.axes[1] = axis(up, forward);
+  s.axes[2] = axis(forward, right);
 }
 
 void place_vertex(const State& s, VertexDraft& vertex) {
@@ -130,8 +137,7 @@ void place_vertex(const State& s, VertexDraft& vertex) {
   if (on(Window::top)) st.y = 1;
   if (std::isnan(st.x) || std::isnan(st.y)) st = s.window->st(*s.table, corner.low, corner.high);
   vertex.st = st + 0.0;  // no negative zero
-  const Camera& c = *s.camera;
-  vertex.direction = glm::normalize(c.forward + (st.x - 0.5) * c.right + (st.y - 0.5) * c.up);
+  vertex.direction = glm::normalize(s.frame[0] + (st.x - 0.5) * s.frame[1] + (st.y - 0.5) * s.frame[2]);
 }
 
 Sign compare_places(const State& s, CornerId a, CornerId b) {

@@ -118,10 +118,11 @@ struct State {
   const Window* window = nullptr;
   Sign handedness = 1;
   SightlineRef border[4];
-  glm::dvec3 eye{};    // unit coordinates, each within 2^-52 * scale
-  double scale = 1;    // max(1, largest unit coordinate of the eye)
-  glm::dvec3 ahead{};  // forward, scaled to largest component 1; zero for the sphere
-  Axis axes[3];        // right x up, up x forward, forward x right
+  glm::dvec3 eye{};     // unit coordinates, each within 2^-52 * scale
+  double scale = 1;     // max(1, largest unit coordinate of the eye)
+  glm::dvec3 ahead{};   // forward, scaled to largest component 1; zero for the sphere
+  glm::dvec3 frame[3];  // forward, right and up, times one power of two: largest component in [1/2, 1)
+  Axis axes[3];         // right x up, up x forward, forward x right
 
   // Fragments.
   std::vector<PolygonId> polygon_of;  // what a fragment shows; none: nothing

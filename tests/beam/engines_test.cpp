@@ -65,6 +65,7 @@ class Pair {
     cells_.trace(camera, one);
     front_to_back_.trace(camera, two);
     EXPECT_EQ(map_json(one, scene_), map_json(two, scene_)) << what;
+    for (const MapFace& f : one.faces) EXPECT_TRUE(f.solid_angle >= 0 && f.solid_angle < 7) << what;
     std::set<PolygonId> seen;
     for (const MapFace& f : one.faces) seen.insert(f.polygon);
     seen.erase(none);
