@@ -30,6 +30,7 @@ class FrontToBack : public Engine {
   Sign exact_side(const TreeNode& node) const;
   bool may_meet(Regions::Region region, const TreeBox& box) const;
   void outline(const TreePiece& piece, Sign eye);
+  bool apart(Regions::Region region, const TreePiece& piece, Sign eye) const;
   bool in_sight(const TreeBox& box, std::size_t first);
   bool carve(const Open& open, const TreePiece& piece, Sign eye, Regions::Region& inside);
   void open_rest(const FrameBox& within);
@@ -45,7 +46,7 @@ class FrontToBack : public Engine {
   const BspTree& tree_;
   Frame frame_;
   glm::dvec3 eye_{0};
-  double doubt_ = 0;
+  double scale_ = 1, doubt_ = 0;
   std::vector<Open> open_;
   std::vector<Regions::Region> parts_;
   FrameBox piece_bounds_;            // of the piece looked at
@@ -58,7 +59,8 @@ void FrontToBack::begin() {
   eye_ = view.table.eye_approx();
   // Boxes hold what they bound, rounding included. Values n.(x - eye) are of size 6 S at most, S the larger of 1 and
   // the eye's reach; data carry 2^-53 of that, and three products and sums as much again: far below 2^-44 S.
-  doubt_ = 0x1p-44 * std::max({1.0, std::abs(eye_.x), std::abs(eye_.y), std::abs(eye_.z)});
+  scale_ = std::max({1.0, std::abs(eye_.x), std::abs(eye_.y), std::abs(eye_.z)});
+  doubt_ = 0x1p-44 * scale_;
 }
 
 /// Conservative: does some side of the region part it from the box?
@@ -105,6 +107,22 @@ void FrontToBack::outline(const TreePiece& piece, Sign eye) {
   }
 }
 
+/// Does an edge of the piece clearly part it from the region? Told by doubles, so that lines of pieces that are not
+/// seen need not be made. With S as in begin(), (a - eye) x (b - eye) is at most 24 S^2 and within 2^-47 S^2, corners
+/// are at most 2 and within 2^-49: their product is within 2^-42 S^2.
+bool FrontToBack::apart(Regions::Region region, const TreePiece& piece, Sign eye) const {
+  const double doubt = 0x1p-42 * scale_ * scale_;
+  const auto sides = view.regions.sides(region);
+  const PointTable& points = view.scene.points();
+  for (const TreeEdge& e : piece.edges) {
+    if (e.a == none) continue;
+    const glm::dvec3 out = glm::cross(points.approx(e.a) - eye_, points.approx(e.b) - eye_) * static_cast<double>(eye);
+    const auto outside = [&](const RegionSide& side) { return glm::dot(out, side.corner) > doubt; };
+    if (std::all_of(sides.begin(), sides.end(), outside)) return true;
+  }
+  return false;
+}
+
 /// May the box meet an open region, or one in which a piece of this node has been seen? Leaves its bounds behind.
 bool FrontToBack::in_sight(const TreeBox& box, std::size_t first) {
   if (!frame_.bounds(box, piece_bounds_)) return false;
@@ -120,7 +138,10 @@ bool FrontToBack::in_sight(const TreeBox& box, std::size_t first) {
 bool FrontToBack::carve(const Open& open, const TreePiece& piece, Sign eye, Regions::Region& inside) {
   parts_.clear();
   if (!open.bounds.meets(piece_bounds_) || !may_meet(open.region, piece.box)) return false;
-  if (lines_.empty()) outline(piece, eye);
+  if (lines_.empty()) {
+    if (apart(open.region, piece, eye)) return false;
+    outline(piece, eye);
+  }
   return view.regions.carve(view.table, open.region, lines_, inside, parts_);
 }
 
