@@ -252,6 +252,11 @@ class SceneMaker {
         return point();
     }
   }
+  glm::dvec3 middle() const {
+    glm::dvec3 sum{0, 0, 0};
+    for (const glm::dvec3& v : soup_.vertices) sum += v;
+    return sum / static_cast<double>(soup_.vertices.size());
+  }
   Camera camera() {
     for (;;) {
       Camera c;
@@ -268,6 +273,8 @@ class SceneMaker {
         default:
           c.forward = {random_.between(-2, 2), random_.between(-2, 2), random_.between(-2, 2)};
       }
+      // Mostly towards the scene: a camera that looks away from it sees nothing.
+      if (!random_.once_in(5) && glm::dot(c.forward, middle() - c.eye) < 0) c.forward = -c.forward;
       const glm::dvec3 hint = random_.once_in(2) ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
       c.right = glm::cross(c.forward, hint);
       c.up = glm::cross(c.right, c.forward);
