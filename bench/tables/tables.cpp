@@ -2,6 +2,7 @@
 #include <sys/resource.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 
@@ -69,16 +70,26 @@ void print_tally(const Tally& t) {
   std::printf("\n");
 }
 
-/// Table 2: the maps of all cameras, by whatever engine the tracer has.
+int passes = 1;
+
+/// Table 2: the maps of all cameras, by whatever engine the tracer has. Of several passes each camera's best counts:
+/// what it costs when nothing else gets in the way.
 void trace_all(const Subject& subject, double polygons, Tracer& tracer) {
   Spread beams, fragments, faces, edges, milliseconds;
   VisibilityMap map;
   TraceStats stats;
   tracer.trace(subject.cameras[0], map, &stats);  // warms the buffers
-  for (const Camera& camera : subject.cameras) {
-    const double before_map = cpu_seconds();
-    tracer.trace(camera, map, &stats);
-    milliseconds.add((cpu_seconds() - before_map) * 1e3);
+  std::vector<double> best(subject.cameras.size(), INFINITY);
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t k = 0; k < best.size(); ++k) {
+      const double before_map = cpu_seconds();
+      tracer.trace(subject.cameras[k], map);
+      best[k] = std::min(best[k], cpu_seconds() - before_map);
+    }
+  }
+  for (std::size_t k = 0; k < best.size(); ++k) {
+    tracer.trace(subject.cameras[k], map, &stats);
+    milliseconds.add(best[k] * 1e3);
     beams.add(stats.beams);
     fragments.add(stats.fragments);
     faces.add(stats.faces);
@@ -158,6 +169,7 @@ int main(int argc, char** argv) {
   app.add_option("--area", how.weights.area);
   app.add_option("--cover", how.weights.cover);
   app.add_option("--axis", how.weights.axis);
+  app.add_option("--passes", passes, "each camera's best of so many passes");
   app.add_flag("--tree", tree, "engine front-to-back, on a tree, in place of cells");
   app.add_flag("--check", prove, "prove each complex (slow)");
   app.add_flag("--decisions", decisions, "count decisions by stage");
