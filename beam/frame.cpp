@@ -69,7 +69,7 @@ bool Frame::bounds(const TreeBox& box, FrameBox& out) const {
   const double z = glm::dot(z_, at), dz = glm::dot(abs_z_, box.half) + 2 * doubt_;
   if (z + dz < 0) return false;
   const double least = z - dz;
-  if (least <= 0) {
+  if (!(least > 0)) {  // around the eye, or beyond what doubles hold
     out = FrameBox::everything();
     return true;
   }

@@ -25,9 +25,9 @@ double along(const State& s, PlaneId p, const glm::dvec3& r) {
 /// 6. D is within 2 (5S 64u + 6 32uS + 30uS) + 60uS < 1024 uS.
 Sign filter_nearer(double at_p, double at_q, double along_p, double along_q, double scale) {
   const double eye_bound = 0x1p-48 * scale, bound = 0x1p-43 * scale;
-  if (std::abs(at_p) <= eye_bound || std::abs(at_q) <= eye_bound) return uncertain;
+  if (!(std::abs(at_p) > eye_bound && std::abs(at_q) > eye_bound)) return uncertain;
   const double d = at_p * along_q - at_q * along_p;
-  if (std::abs(d) <= bound) return uncertain;
+  if (!(std::abs(d) > bound)) return uncertain;
   return (d > 0) == (at_p * at_q > 0) ? 1 : -1;
 }
 

@@ -39,7 +39,8 @@ void find_carriers(State& s, const Stretch& stretch, const Shown& shown, bool di
   // With u = 2^-53 and S = s.scale: a point is within u/2, the eye within 2uS, their difference (at most 2S) within
   // 5uS; the product with n is within 3 (5 + 2) uS (data) + (3 * 2 + 4 + 6) uS (rounding) = 37 uS.
   const double bound = 0x1p-47 * s.scale;
-  const auto near = [&](PointId p) { return std::abs(glm::dot(n, scene.points().approx(p) - s.eye)) <= bound; };
+  // An eye beyond what doubles hold makes everything near.
+  const auto near = [&](PointId p) { return !(std::abs(glm::dot(n, scene.points().approx(p) - s.eye)) > bound); };
   const auto try_edge = [&](PointId a, PointId b) {
     const SightlineRef ref = s.table->of_points(a, b);
     if (ref.id != stretch.line) return;

@@ -155,6 +155,18 @@ TEST(Engines, SameBytesInExtremeWindows) {
   }
 }
 
+// An eye whose place in the scene's own unit is beyond the largest double.
+TEST(Engines, SameBytesFromBeyondTheDoubles) {
+  PolygonSoup soup = make_model("rooms").soup;
+  for (glm::dvec3& v : soup.vertices) v *= 0x1p-500;
+  const Scene scene = make_scene(soup);
+  Pair engines(scene);
+  for (const double far : {0x1p-400, 1.0, 0x1p600}) {
+    const glm::dvec3 eye = glm::dvec3{1, 0.75, 0.5} * far;
+    engines.expect_same(looking(eye, {-1, -0.75, -0.5}), std::to_string(std::log2(far)));
+  }
+}
+
 // A lazy tree is divided by whoever comes first; what is seen does not depend on that.
 TEST(Engines, LazyTreesAreSharedByThreads) {
   const Model model = make_model("city");
