@@ -34,10 +34,9 @@ class FrontToBack : public Engine {
   bool in_sight(const TreeBox& box, std::size_t first);
   bool carve(const Open& open, const TreePiece& piece, Sign eye, Regions::Region& inside);
   void open_rest(const FrameBox& within);
-  void take_out(const TreePiece& piece, Sign eye, std::size_t first);
-  void take_out_of_plane(const TreeNode& node, Sign eye, std::size_t first);
+  void take_out(const TreeNode& node, Sign eye, std::size_t first);
 
-  /// What has been seen in the plane of a node that carries more than one piece.
+  /// What has been seen in the plane of a node.
   struct Seen {
     Open open;
     std::uint32_t first, count;  // in seen_on_
@@ -152,27 +151,8 @@ void FrontToBack::open_rest(const FrameBox& within) {
   }
 }
 
-void FrontToBack::take_out(const TreePiece& piece, Sign eye, std::size_t first) {
-  if (!view.opaque(piece.surface, eye) || !in_sight(piece.box, first)) return;
-  lines_.clear();
-  std::size_t kept = first;
-  const std::size_t end = open_.size();
-  for (std::size_t k = first; k < end; ++k) {
-    const Open open = open_[k];
-    Regions::Region inside;
-    if (carve(open, piece, eye, inside)) {
-      view.see(inside, {&piece.surface, 1}, eye);
-      open_rest(open.bounds);
-    } else {
-      open_[kept++] = open;
-    }
-  }
-  const auto begin = open_.begin();
-  open_.erase(begin + static_cast<std::ptrdiff_t>(kept), begin + static_cast<std::ptrdiff_t>(end));
-}
-
 /// Pieces that share a plane may cover one another: what was seen of one is cut by those that come after it.
-void FrontToBack::take_out_of_plane(const TreeNode& node, Sign eye, std::size_t first) {
+void FrontToBack::take_out(const TreeNode& node, Sign eye, std::size_t first) {
   for (std::size_t i = 0; i < node.pieces.size(); ++i) {
     if (i % tree_group == 0 && !node.groups.empty() && !in_sight(node.groups[i / tree_group], first)) {
       i += tree_group - 1;
@@ -230,13 +210,7 @@ void FrontToBack::visit(TreeNode& node, std::size_t first) {
   tree_.open(node);
   const Sign eye = eye_side(node);
   descend(node.child[eye > 0], first);
-  if (eye != 0 && !node.pieces.empty()) {
-    if (node.pieces.size() == 1) {
-      take_out(node.pieces[0], eye, first);
-    } else {
-      take_out_of_plane(node, eye, first);
-    }
-  }
+  if (eye != 0) take_out(node, eye, first);
   descend(node.child[eye <= 0], first);
 }
 

@@ -12,21 +12,11 @@ constexpr std::size_t most_counted = 2048;   // pieces counted for each
 constexpr std::size_t free_space_from = 24;  // pieces from which cuts in free space are considered
 constexpr double flat = 0x1p-40;             // unit length below which a piece counts as lying in a plane
 
-int main_axis(const double n[3]) {
-  int k = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (std::abs(n[i]) > std::abs(n[k])) k = i;
-  }
-  return k;
-}
-
 // Area of a box's section by a plane with normal n, roughly: the side seen along the normal's main axis.
 double section(const glm::dvec3& size, const double n[3]) {
   const int k = main_axis(n);
   return size[(k + 1) % 3] * size[(k + 2) % 3] * std::hypot(n[0], n[1], n[2]) / std::abs(n[k]);
 }
-
-double surface(const glm::dvec3& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
 
 // The part of the box's surface that lies behind the plane and the part in front, the cut counted with both.
 std::pair<double, double> surface_parts(const Bounds& box, const double n[3], double d) {
@@ -45,16 +35,6 @@ std::pair<double, double> surface_parts(const Bounds& box, const double n[3], do
 
 }  // namespace
 
-double Chooser::area(const Piece& piece) const {
-  const auto corner = pieces_.corners(piece);
-  glm::dvec3 sum{0, 0, 0};
-  for (std::size_t k = 2; k < corner.size(); ++k) {
-    sum += glm::cross(corner[k - 1].place.approx - corner[0].place.approx,
-                      corner[k].place.approx - corner[0].place.approx);
-  }
-  return glm::length(sum) / 2;
-}
-
 // A piece that lies within rounding of a plane without being in it is cut or not as the exact signs say; but it leaves
 // a wedge of a cell behind, where walls of others end in slivers.
 void Chooser::add_hair(Count& n, const Piece& piece, PlaneId plane) const {
@@ -71,7 +51,7 @@ Chooser::Count Chooser::count_axis(std::span<const Piece> pieces, PlaneId plane,
     const double low = pieces[k].low[axis] - value, high = pieces[k].high[axis] - value;
     if (high <= flat && low >= -flat) {
       if (pieces[k].plane == plane) {
-        n.covered += area(pieces[k]);
+        n.covered += pieces_.area(pieces[k]);
         n.on += 1;
       } else {
         add_hair(n, pieces[k], plane);
@@ -94,7 +74,7 @@ Chooser::Count Chooser::count_plane(std::span<const Piece> pieces, PlaneId plane
   const std::size_t stride = pieces.size() / most_counted + 1;
   for (std::size_t k = 0; k < pieces.size(); k += stride) {
     if (pieces[k].plane == plane) {
-      n.covered += area(pieces[k]);
+      n.covered += pieces_.area(pieces[k]);
       n.on += 1;
       continue;
     }

@@ -41,7 +41,6 @@ class Chooser {
   Count count_plane(std::span<const Piece> pieces, PlaneId plane) const;
   Count count_axis(std::span<const Piece> pieces, PlaneId plane, int axis, double value) const;
   double cost(const Count& count, std::size_t total, const Bounds& cell, const double n[3], double d) const;
-  double area(const Piece& piece) const;
 
   const Scene& scene_;
   const PlaneTable& planes_;

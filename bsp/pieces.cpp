@@ -1,6 +1,7 @@
 #include "bsp/pieces.hpp"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace sightline {
 
@@ -10,6 +11,16 @@ void Pieces::bound(Piece& piece) const {
     piece.low = glm::min(piece.low, c.place.approx);
     piece.high = glm::max(piece.high, c.place.approx);
   }
+}
+
+double Pieces::area(const Piece& piece) const {
+  const auto corner = corners(piece);
+  glm::dvec3 sum{0, 0, 0};
+  for (std::size_t k = 2; k < corner.size(); ++k) {
+    sum += glm::cross(corner[k - 1].place.approx - corner[0].place.approx,
+                      corner[k].place.approx - corner[0].place.approx);
+  }
+  return glm::length(sum) / 2;
 }
 
 Piece Pieces::whole(SurfaceId surface) {

@@ -1,6 +1,8 @@
 // Convex pieces of surfaces, cut to the cells in which they lie.
 #pragma once
 
+#include <cmath>
+
 #include "exact/predicates.hpp"
 #include "scene/scene.hpp"
 
@@ -22,6 +24,17 @@ struct Piece {
   glm::dvec3 low, high;
 };
 
+/// The axis along which a normal is longest.
+inline int main_axis(const double n[3]) {
+  int k = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(n[i]) > std::abs(n[k])) k = i;
+  }
+  return k;
+}
+/// Half the surface of a box of that size.
+inline double surface(const glm::dvec3& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
+
 /// The arena in which the corners of all pieces lie. `planes` is the growing table of the complex.
 class Pieces {
  public:
@@ -37,6 +50,7 @@ class Pieces {
   int exact_sides(const Piece& piece, PlaneId plane) const;
   /// Cuts the piece, which lies on both sides, as found by the call of sides() just before.
   void split(const Piece& piece, PlaneId plane, Piece& behind, Piece& front);
+  double area(const Piece& piece) const;  // rounded
   std::span<const PieceCorner> corners(const Piece& p) const { return std::span(corners_).subspan(p.first, p.count); }
 
  private:

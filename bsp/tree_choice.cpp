@@ -22,19 +22,7 @@ constexpr double weight_hair = 0.3;   // as part of that: one within rounding of
 constexpr double weight_area = 1.0;   // pieces on each side, weighted by the surface of that side
 constexpr double weight_cover = 1.0;  // opaque part of the cut
 
-double surface(const glm::dvec3& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
-
 }  // namespace
-
-double TreeChoice::area(const Piece& piece) const {
-  const auto corner = pieces_.corners(piece);
-  glm::dvec3 sum{0, 0, 0};
-  for (std::size_t k = 2; k < corner.size(); ++k) {
-    sum += glm::cross(corner[k - 1].place.approx - corner[0].place.approx,
-                      corner[k].place.approx - corner[0].place.approx);
-  }
-  return glm::length(sum) / 2;
-}
 
 TreeChoice::Count TreeChoice::count(std::span<const Piece> here, std::size_t stride, PlaneId plane) const {
   Count n;
@@ -43,7 +31,7 @@ TreeChoice::Count TreeChoice::count(std::span<const Piece> here, std::size_t str
     const Piece& piece = here[k];
     if (piece.plane == plane) {
       n.on += 1;
-      n.covered += area(piece);
+      n.covered += pieces_.area(piece);
       continue;
     }
     double middle = -p.d, reach = 0;
@@ -51,7 +39,8 @@ TreeChoice::Count TreeChoice::count(std::span<const Piece> here, std::size_t str
       middle += p.n[i] * (piece.low[i] + piece.high[i]) * 0.5;
       reach += std::abs(p.n[i]) * (piece.high[i] - piece.low[i]) * 0.5;
     }
-    bool behind = middle<reach - flat, front = middle> flat - reach;
+    bool behind = middle - reach < -flat;
+    bool front = middle + reach > flat;
     if (behind && front && planes_.axis(plane) < 0) {
       behind = front = false;
       for (const PieceCorner& c : pieces_.corners(piece)) {
@@ -75,10 +64,7 @@ TreeChoice::Count TreeChoice::count(std::span<const Piece> here, std::size_t str
 double TreeChoice::cost(const Count& n, const TreeBox& box, PlaneId plane) const {
   const ApproxPlane& p = planes_.approx(plane);
   const glm::dvec3 size = box.half * 2.0;
-  int k = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (std::abs(p.n[i]) > std::abs(p.n[k])) k = i;
-  }
+  const int k = main_axis(p.n);
   const double at =
       (p.d - p.n[(k + 1) % 3] * box.middle[(k + 1) % 3] - p.n[(k + 2) % 3] * box.middle[(k + 2) % 3]) / p.n[k];
   glm::dvec3 below = size, above = size;
@@ -164,7 +150,7 @@ TreeCut TreeChoice::choose(std::span<const Piece> here, const TreeBox& box) {
   if (here.size() == 1) return best;
   candidates_.clear();
   const std::size_t step = here.size() / looked_at + 1;
-  for (std::size_t k = 0; k < here.size(); k += step) candidates_.push_back({-area(here[k]), here[k].plane});
+  for (std::size_t k = 0; k < here.size(); k += step) candidates_.push_back({-pieces_.area(here[k]), here[k].plane});
   if (candidates_.size() > candidates) {
     std::nth_element(candidates_.begin(), candidates_.begin() + candidates, candidates_.end());
     candidates_.resize(candidates);

@@ -25,7 +25,6 @@ class TreeChoice {
   };
   Count count(std::span<const Piece> here, std::size_t stride, PlaneId plane) const;
   double cost(const Count& n, const TreeBox& box, PlaneId plane) const;
-  double area(const Piece& piece) const;
   void find_gap(std::span<const Piece> here, const glm::dvec3& normal, TreeCut& cut, double& least);
   void measure(std::span<const Piece> here, const glm::dvec3& normal);
 
