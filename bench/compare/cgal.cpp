@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <array>
 
-#include "bench/compare/method.hpp"
-#include "bench/compare/pieces.hpp"
+#include "bench/compare/piecewise.hpp"
 
 namespace sightline::peers {
 namespace {
@@ -90,17 +89,9 @@ void clip(std::vector<Triple<Number>>& loop, int side) {
   loop.swap(kept);
 }
 
-class Envelope : public Method {
+class Envelope : public PiecewisePeer {
  public:
-  Envelope() : Method("cgal", Kind::peer) {}
-  bool in_child() const override { return true; }
-
-  Cost prepare(const Scene& scene) override {
-    scene_ = &scene;
-    pieces_ = pieces_of(scene);
-    return {};
-  }
-  void release() override { pieces_ = {}; }
+  Envelope() : PiecewisePeer("cgal") {}
 
   Outcome map(const Camera& camera, Want) override {
     const double start = cpu_seconds();
@@ -176,9 +167,6 @@ class Envelope : public Method {
     }
     return true;
   }
-
-  const Scene* scene_ = nullptr;
-  Pieces pieces_;
 };
 
 }  // namespace

@@ -11,25 +11,16 @@
 #include <string>
 #include <string_view>
 
-#include "bench/compare/method.hpp"
-#include "bench/compare/pieces.hpp"
+#include "bench/compare/piecewise.hpp"
 
 namespace sightline::peers {
 namespace {
 
 constexpr int width = 1024;
 
-class Page : public Method {
+class Page : public PiecewisePeer {
  public:
-  explicit Page(bool cull) : Method(cull ? "gl2ps-cull" : "gl2ps-sort", Kind::peer), cull_(cull) {}
-  bool in_child() const override { return true; }
-
-  Cost prepare(const Scene& scene) override {
-    scene_ = &scene;
-    pieces_ = pieces_of(scene);
-    return {};
-  }
-  void release() override { pieces_ = {}; }
+  explicit Page(bool cull) : PiecewisePeer(cull ? "gl2ps-cull" : "gl2ps-sort"), cull_(cull) {}
 
   Outcome map(const Camera& camera, Want want) override {
     const bool list = cull_ && want == Want::visible;
@@ -97,8 +88,6 @@ class Page : public Method {
   }
 
   bool cull_;
-  const Scene* scene_ = nullptr;
-  Pieces pieces_;
   Projected view_;
 };
 

@@ -17,8 +17,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "bench/compare/method.hpp"
-#include "bench/compare/pieces.hpp"
+#include "bench/compare/piecewise.hpp"
 
 namespace sightline::peers {
 namespace {
@@ -26,17 +25,9 @@ namespace {
 /// The window's width and the range of depths in its units: its tolerance is 1e-7.
 constexpr double extent = 1000;
 
-class HiddenLines : public Method {
+class HiddenLines : public PiecewisePeer {
  public:
-  HiddenLines() : Method("occt", Kind::peer) {}
-  bool in_child() const override { return true; }
-
-  Cost prepare(const Scene& scene) override {
-    scene_ = &scene;
-    pieces_ = pieces_of(scene);
-    return {};
-  }
-  void release() override { pieces_ = {}; }
+  HiddenLines() : PiecewisePeer("occt") {}
 
   Outcome map(const Camera& camera, Want) override {
     Outcome out;
@@ -89,8 +80,6 @@ class HiddenLines : public Method {
     if (face.IsDone()) builder.Add(compound, face.Face());
   }
 
-  const Scene* scene_ = nullptr;
-  Pieces pieces_;
   Projected view_;
 };
 

@@ -29,22 +29,34 @@ Outcome outcome_of(const VisibilityMap& map, double seconds, Want want) {
   return out;
 }
 
-/// Engine `front-to-back`: the polygons in the order of a tree.
-class FrontToBack : public Method {
+/// A tracer, whatever engine it has.
+class Ours : public Method {
  public:
-  FrontToBack() : Method("front-to-back", Kind::map) {}
+  explicit Ours(std::string name) : Method(std::move(name), Kind::map) {}
+
+  Outcome map(const Camera& camera, Want want) override {
+    const double start = cpu_seconds();
+    tracer_->trace(camera, map_);
+    return outcome_of(map_, cpu_seconds() - start, want);
+  }
+
+ protected:
+  std::optional<Tracer> tracer_;
+
+ private:
+  VisibilityMap map_;
+};
+
+/// Engine `front-to-back`: the polygons in the order of a tree.
+class FrontToBack : public Ours {
+ public:
+  FrontToBack() : Ours("front-to-back") {}
 
   Cost prepare(const Scene& scene) override {
     const double start = cpu_seconds();
     tree_.emplace(scene);
     tracer_.emplace(*tree_);
     return {cpu_seconds() - start, tree_->size().bytes};
-  }
-
-  Outcome map(const Camera& camera, Want want) override {
-    const double start = cpu_seconds();
-    tracer_->trace(camera, map_);
-    return outcome_of(map_, cpu_seconds() - start, want);
   }
 
   void release() override {
@@ -54,26 +66,18 @@ class FrontToBack : public Method {
 
  private:
   std::optional<BspTree> tree_;
-  std::optional<Tracer> tracer_;
-  VisibilityMap map_;
 };
 
 /// Engine `cells`: beams through a winged-pair complex.
-class Cells : public Method {
+class Cells : public Ours {
  public:
-  Cells() : Method("cells", Kind::map) {}
+  Cells() : Ours("cells") {}
 
   Cost prepare(const Scene& scene) override {
     const double start = cpu_seconds();
     complex_ = build(scene);
     tracer_.emplace(scene, complex_);
     return {cpu_seconds() - start, complex_bytes(complex_)};
-  }
-
-  Outcome map(const Camera& camera, Want want) override {
-    const double start = cpu_seconds();
-    tracer_->trace(camera, map_);
-    return outcome_of(map_, cpu_seconds() - start, want);
   }
 
   void release() override {
@@ -83,8 +87,6 @@ class Cells : public Method {
 
  private:
   Complex complex_;
-  std::optional<Tracer> tracer_;
-  VisibilityMap map_;
 };
 
 }  // namespace
