@@ -24,6 +24,10 @@ struct View {
   }
   /// A region in which the surfaces of `on` are seen that are opaque from the eye's side; none: nothing is.
   void see(Regions::Region region, std::span<const SurfaceId> on, Sign eye_side);
+
+ private:
+  std::vector<SightlineRef> lines_;
+  std::vector<SurfaceId> on_;
 };
 
 /// A way to find out what is seen.

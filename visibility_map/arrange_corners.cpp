@@ -1,4 +1,4 @@
-// Corners: interned by the pair of lines that meet in them.
+// Corners: the rays in which the fragments' lines meet.
 #include "visibility_map/stitch_state.hpp"
 
 #include <algorithm>
@@ -37,10 +37,8 @@ glm::dvec3 approximate(const SightlineTable& table, SightlineId low, SightlineId
   return largest(r) >= 0x1p-10 ? r : exact_cross(table, low, high);
 }
 
-CornerId create(State& s, SightlineId low, SightlineId high, Sign sign) {
-  const auto id = static_cast<CornerId>(s.corners.size());
-  s.corners.push_back({low, high, sign, approximate(*s.table, low, high) * static_cast<double>(sign)});
-  return id;
+void create(State& s, const FragmentCorner& corner) {
+  s.corners.push_back({corner, approximate(*s.table, corner.low, corner.high) * static_cast<double>(corner.sign)});
 }
 
 }  // namespace
@@ -48,43 +46,16 @@ CornerId create(State& s, SightlineId low, SightlineId high, Sign sign) {
 CornerId add_corner(State& s, SightlineId line, SightlineRef u) {
   s.rays.add();
   s.degree.push_back(2);
-  return line < u.id ? create(s, line, u.id, u.sign) : create(s, u.id, line, -u.sign);
+  create(s, FragmentCorner::of(u, {line, 1}));
+  return static_cast<CornerId>(s.corners.size() - 1);
 }
 
-/// The corner between side a and the next side b of a fragment: the ray n_b x n_a.
-static CornerId intern(State& s, SightlineRef a, SightlineRef b) {
-  const bool swap = b.id > a.id;
-  const SightlineId low = swap ? a.id : b.id, high = swap ? b.id : a.id;
-  const Sign sign = swap ? -a.sign * b.sign : a.sign * b.sign;
-  const std::uint64_t key = std::uint64_t{low} << 33 | std::uint64_t{high} << 1 | (sign > 0 ? 1u : 0u);
-  const std::size_t mask = s.hash_key.size() - 1;
-  std::size_t slot = (key * 0x9e3779b97f4a7c15u) >> 20 & mask;
-  while (s.hash_key[slot] != key) {
-    if (s.hash_key[slot] == ~std::uint64_t{0}) {
-      s.hash_key[slot] = key;
-      return s.hash_corner[slot] = create(s, low, high, sign);
-    }
-    slot = (slot + 1) & mask;
-  }
-  return s.hash_corner[slot];
-}
-
-void intern_corners(State& s) {
+void take_corners(State& s) {
   const Fragments& f = *s.fragments;
-  std::size_t size = 16;
-  while (size < 2 * f.sides.size()) size *= 2;
-  s.hash_key.assign(size, ~std::uint64_t{0});
-  s.hash_corner.resize(size);
   s.corners.clear();
-  s.fragment_corners.resize(f.sides.size());
-  for (const Fragment& fragment : f.fragments) {
-    if (fragment.side_count < 3) throw std::logic_error("stitch: a fragment with fewer than 3 sides");
-    const SightlineRef* side = f.sides.data() + fragment.first_side;
-    CornerId* corner = s.fragment_corners.data() + fragment.first_side;
-    for (std::uint32_t k = 0; k + 1 < fragment.side_count; ++k) corner[k] = intern(s, side[k], side[k + 1]);
-    corner[fragment.side_count - 1] = intern(s, side[fragment.side_count - 1], side[0]);
-  }
+  for (const FragmentCorner& corner : f.corners) create(s, corner);
   s.rays.reset(s.corners.size());
+  for (const auto& [a, b] : f.same) s.rays.unite(a, b);
 }
 
 }  // namespace sightline::stitching

@@ -8,7 +8,7 @@
 
 namespace sightline::stitching {
 
-void intern_corners(State& s);
+void take_corners(State& s);
 
 namespace {
 
@@ -165,21 +165,23 @@ void lay_over(State& s, SightlineId line, std::span<const State::Side> sides) {
 void sort_sides(State& s) {
   const Fragments& f = *s.fragments;
   s.line_start.assign(s.table->size() + 1, 0);
-  for (const SightlineRef& side : f.sides) ++s.line_start[side.id];
+  const auto sides_of = [&](const Fragment& fragment) {
+    return std::span(f.sides).subspan(fragment.first_side, fragment.side_count);
+  };
+  for (const Fragment& fragment : f.fragments) {
+    if (fragment.side_count < 3) throw std::logic_error("stitch: a fragment with fewer than 3 sides");
+    for (const FragmentSide& side : sides_of(fragment)) ++s.line_start[side.line.id];
+  }
   std::uint32_t sum = 0;
   for (std::uint32_t& start : s.line_start) {
     sum += start;
     start = sum;
   }
-  s.sides.resize(f.sides.size());
+  s.sides.resize(sum);
   for (std::uint32_t k = 0; k < f.fragments.size(); ++k) {
-    const Fragment& fragment = f.fragments[k];
-    CornerId before = s.fragment_corners[fragment.first_side + fragment.side_count - 1];
-    for (std::uint32_t i = fragment.first_side; i < fragment.first_side + fragment.side_count; ++i) {
-      const CornerId behind = s.fragment_corners[i];
-      const bool left = f.sides[i].sign > 0;
-      s.sides[--s.line_start[f.sides[i].id]] = {k, left ? before : behind, left ? behind : before, left};
-      before = behind;
+    for (const FragmentSide& side : sides_of(f.fragments[k])) {
+      const bool left = side.line.sign > 0;
+      s.sides[--s.line_start[side.line.id]] = {k, left ? side.from : side.to, left ? side.to : side.from, left};
     }
   }
 }
@@ -216,7 +218,7 @@ void arrange(State& s) {
   }
   s.faces.reset(count);
   s.intervals.clear();
-  intern_corners(s);
+  take_corners(s);
   sort_sides(s);
   s.stamp.assign(s.corners.size(), none);
   s.rank.resize(s.corners.size());

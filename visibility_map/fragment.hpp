@@ -1,17 +1,34 @@
-// What a tracer hands to the stitcher: convex regions of the view that tile it, each seeing one thing.
+// What a tracer hands to the stitcher: regions of the view that tile it, each seeing one thing.
 #pragma once
-
-#include "exact/sightline_table.hpp"
-#include "scene/scene.hpp"
 
 #include <span>
 #include <vector>
 
+#include "exact/sightline_table.hpp"
+#include "exact/stamped_map.hpp"
+#include "scene/scene.hpp"
+
 namespace sightline {
 
-/// A convex region of the view. Its sides are sightlines whose normals point inwards, in counter-clockwise order as
-/// seen from the eye (right hand rule of an ordinary camera: the corner between side i and the next side j is the ray
-/// n_j x n_i). At least 3 sides, each of positive length; no two sides have the same line.
+/// A ray in which two sightlines meet: sign * (N_low x N_high), N being the canonical normals, low < high.
+struct FragmentCorner {
+  SightlineId low, high;
+  Sign sign;
+  /// The ray n_b x n_a of two oriented lines.
+  static FragmentCorner of(SightlineRef a, SightlineRef b) {
+    return b.id < a.id ? FragmentCorner{b.id, a.id, b.sign * a.sign} : FragmentCorner{a.id, b.id, -a.sign * b.sign};
+  }
+};
+
+/// A piece of a fragment's boundary: along a sightline whose normal points inwards, between two corners that have it in
+/// their names, of positive length and less than half a turn, counter-clockwise as seen from the eye (right hand rule
+/// of an ordinary camera).
+struct FragmentSide {
+  SightlineRef line;
+  std::uint32_t from, to;  // into Fragments::corners
+};
+
+/// A connected region of the view; its boundary may have notches, and touch itself in single rays.
 struct Fragment {
   std::uint32_t first_side;  // into Fragments::sides
   std::uint32_t side_count;
@@ -22,13 +39,18 @@ struct Fragment {
 /// Fragments that tile the window (or the sphere): interiors disjoint, nothing left out.
 struct Fragments {
   std::vector<Fragment> fragments;
-  std::vector<SightlineRef> sides;
+  std::vector<FragmentSide> sides;
+  std::vector<FragmentCorner> corners;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> same;  // corners known to be one ray; others may be, too
   std::vector<SurfaceId> seen;
-  void clear() {
-    fragments.clear();
-    sides.clear();
-    seen.clear();
-  }
+
+  void clear();
+  /// A convex fragment, by its lines in counter-clockwise order: at least 3, each a side of positive length.
+  void add_convex(std::span<const SightlineRef> lines, std::span<const SurfaceId> on);
+
+ private:
+  std::uint32_t corner(SightlineRef a, SightlineRef b);
+  StampedMap by_lines_;  // the corners made by add_convex
 };
 
 }  // namespace sightline

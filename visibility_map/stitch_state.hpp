@@ -13,11 +13,8 @@
 
 namespace sightline::stitching {
 
-/// A ray in which two sightlines meet, named by the first pair in which it was met: sign * (N_low x N_high), N being
-/// the canonical normals.
-struct Corner {
-  SightlineId low, high;
-  Sign sign;
+/// A corner of fragments, or one that a stage adds.
+struct Corner : FragmentCorner {
   /// The ray up to a positive factor; largest component between 2^-10 and 2, each within 9 * 2^-53 (see arrange).
   glm::dvec3 approx;
   /// u such that the ray is N_line x n_u. `line` is one of the two.
@@ -132,8 +129,6 @@ struct State {
   // Corners and lines.
   std::vector<Corner> corners;
   Sets rays;  // corners that are the same ray
-  std::vector<std::uint64_t> hash_key;
-  std::vector<CornerId> hash_corner;
   struct Side {
     std::uint32_t fragment;
     CornerId from, to;
@@ -144,7 +139,6 @@ struct State {
     CornerId corner;
   };
   std::vector<std::uint32_t> line_start;
-  std::vector<CornerId> fragment_corners;
   std::vector<Side> sides;
   std::vector<std::uint32_t> stamp, rank;  // per corner: the line last seen on, the place there
   std::vector<Spot> spots;

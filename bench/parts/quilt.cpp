@@ -53,10 +53,9 @@ void fragments_of(const Scene& quilt, const Camera& camera, SightlineTable& tabl
       if (part.count == 0) break;
     }
     if (part.count != 0) {
-      out.fragments.push_back(
-          {static_cast<std::uint32_t>(out.sides.size()), part.count, static_cast<std::uint32_t>(out.seen.size()), 1});
-      for (const RegionSide& side : regions.sides(part)) out.sides.push_back(side.line);
-      out.seen.push_back(s);
+      std::vector<SightlineRef> lines;
+      for (const RegionSide& side : regions.sides(part)) lines.push_back(side.line);
+      out.add_convex(lines, {{s}});
     }
     regions.release(mark);
   }

@@ -153,12 +153,7 @@ Fragments brute_fragments(const Scene& scene, const Camera* camera, SightlineTab
   }
   Fragments fragments;
   for (const Cell& cell : cells) {
-    const std::vector<SurfaceId> seen = look(scene, table, cell);
-    fragments.fragments.push_back(
-        {static_cast<std::uint32_t>(fragments.sides.size()), static_cast<std::uint32_t>(cell.size()),
-         static_cast<std::uint32_t>(fragments.seen.size()), static_cast<std::uint32_t>(seen.size())});
-    fragments.sides.insert(fragments.sides.end(), cell.begin(), cell.end());
-    fragments.seen.insert(fragments.seen.end(), seen.begin(), seen.end());
+    fragments.add_convex(cell, look(scene, table, cell));
   }
   return fragments;
 }
