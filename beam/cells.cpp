@@ -10,7 +10,7 @@ class Cells : public Engine {
 
   std::unique_ptr<Engine> copy() const override { return std::make_unique<Cells>(view.scene, complex_, topology_); }
   void begin() override;
-  void fill(Regions::Region region, const glm::dvec3& ahead) override;
+  void fill(std::span<const SightlineRef> window, const glm::dvec3& ahead) override;
 
  private:
   void find_cells();
@@ -172,7 +172,9 @@ void Cells::enter_from_outside(Regions::Region region) {
 }
 
 // Everything that is seen in a region, from wherever the eye is.
-void Cells::fill(Regions::Region region, const glm::dvec3&) {
+void Cells::fill(std::span<const SightlineRef> window, const glm::dvec3&) {
+  view.regions.release(0);
+  Regions::Region region = view.regions.push(view.table, window);
   if (eye_cells_.empty()) {
     enter_from_outside(region);
     return;

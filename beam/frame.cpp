@@ -1,39 +1,10 @@
 #include "beam/frame.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace sightline {
-namespace {
-
-/// Gathers quotients p / z; each within (doubt + |p / z| doubt) / z of the true one. Rounding to floats and of the
-/// quotient: 2^-22 of it.
-struct Gatherer {
-  double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, least_z = INFINITY;
-
-  void add(double x, double y, double z) {
-    const double s = x / z, t = y / z;
-    low[0] = std::min(low[0], s);
-    high[0] = std::max(high[0], s);
-    low[1] = std::min(low[1], t);
-    high[1] = std::max(high[1], t);
-    least_z = std::min(least_z, z);
-  }
-  FrameBox box(double doubt) const {
-    FrameBox b;
-    for (int k = 0; k < 2; ++k) {
-      const double size = std::max(std::abs(low[k]), std::abs(high[k]));
-      const double off = 2 * (doubt + size * doubt) / least_z + 0x1p-22 * size;
-      b.side[k] = static_cast<float>(low[k] - off);
-      b.side[k + 2] = static_cast<float>(-high[k] - off);
-    }
-    return b;
-  }
-};
-
-}  // namespace
 
 void Frame::set(const glm::dvec3& eye, const glm::dvec3& ahead, double doubt) {
   eye_ = eye;
@@ -50,17 +21,26 @@ void Frame::set(const glm::dvec3& eye, const glm::dvec3& ahead, double doubt) {
   abs_z_ = glm::abs(z_);
 }
 
-/// Corners are products of lines' normals, components at most 2 and within 2^-49; so are their products with the axes,
-/// all but 2^-48. A corner that is not clearly ahead is somewhere.
-FrameBox Frame::bounds(std::span<const RegionSide> region) const {
+/// A corner is at most 2 and within 2^-49 by component; so are its products with the axes, all but 2^-48: each quotient
+/// p / z is within (1 + |p / z|) 2^-47 / z. Rounding to floats and of the quotient: 2^-22 of it.
+FrameBox Frame::bounds(const glm::dvec3& corner) const {
   constexpr double doubt = 0x1p-46;
-  Gatherer all;
-  for (const RegionSide& side : region) {
-    const double z = glm::dot(z_, side.corner);
-    if (z <= 4 * doubt) return FrameBox::everything();
-    all.add(glm::dot(x_, side.corner), glm::dot(y_, side.corner), z);
-  }
-  return all.box(doubt);
+  const double z = glm::dot(z_, corner);
+  if (z <= 4 * doubt) return FrameBox::everything();
+  const double part = 1 / z, x = glm::dot(x_, corner) * part, y = glm::dot(y_, corner) * part;
+  const double size_x = std::abs(x), size_y = std::abs(y);
+  const double off_x = 2 * doubt * part * (1 + size_x) + 0x1p-22 * size_x;
+  const double off_y = 2 * doubt * part * (1 + size_y) + 0x1p-22 * size_y;
+  return {{static_cast<float>(x - off_x), static_cast<float>(y - off_y), static_cast<float>(-x - off_x),
+           static_cast<float>(-y - off_y)}};
+}
+
+bool Frame::place(const glm::dvec3& from_eye, double& x, double& y) const {
+  const double z = glm::dot(z_, from_eye);
+  if (!(z > 0x1p20 * doubt_)) return false;
+  x = glm::dot(x_, from_eye) / z;
+  y = glm::dot(y_, from_eye) / z;
+  return true;
 }
 
 /// From the ranges of the three coordinates, each by itself: a little wider than what is seen, and quick.

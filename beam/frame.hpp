@@ -3,15 +3,17 @@
 
 #include <glm/vec3.hpp>
 #include <limits>
-#include <span>
 
-#include "beam/region.hpp"
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
+
 #include "bsp/tree.hpp"
 
 namespace sightline {
 
 /// A rectangle of the frame, as the four numbers low x, low y, -high x, -high y, so that one comparison does for all.
-struct FrameBox {
+struct alignas(16) FrameBox {
   float side[4];
 
   static FrameBox everything() {
@@ -20,11 +22,22 @@ struct FrameBox {
   }
   bool bounded() const { return side[0] != -std::numeric_limits<float>::infinity(); }
   bool meets(const FrameBox& o) const {
+#ifdef __SSE__
+    const __m128 other = _mm_load_ps(o.side);
+    const __m128 most = _mm_xor_ps(_mm_shuffle_ps(other, other, _MM_SHUFFLE(1, 0, 3, 2)), _mm_set1_ps(-0.0f));
+    return _mm_movemask_ps(_mm_cmple_ps(_mm_load_ps(side), most)) == 15;
+#else
     return (side[0] <= -o.side[2]) & (side[1] <= -o.side[3]) & (side[2] <= -o.side[0]) & (side[3] <= -o.side[1]);
+#endif
   }
-  FrameBox common(const FrameBox& o) const {
+  /// The smallest that holds both.
+  FrameBox around(const FrameBox& o) const {
     FrameBox b;
-    for (int k = 0; k < 4; ++k) b.side[k] = side[k] > o.side[k] ? side[k] : o.side[k];
+#ifdef __SSE__
+    _mm_store_ps(b.side, _mm_min_ps(_mm_load_ps(side), _mm_load_ps(o.side)));
+#else
+    for (int k = 0; k < 4; ++k) b.side[k] = side[k] < o.side[k] ? side[k] : o.side[k];
+#endif
     return b;
   }
 };
@@ -33,9 +46,14 @@ struct FrameBox {
 /// hold what they bound, all rounding included.
 class Frame {
  public:
+  const glm::dvec3& across() const { return x_; }
+  const glm::dvec3& upwards() const { return y_; }
+  const glm::dvec3& ahead() const { return z_; }
   void set(const glm::dvec3& eye, const glm::dvec3& ahead, double doubt);
-  /// Bounds of a region, which lies ahead of the eye.
-  FrameBox bounds(std::span<const RegionSide> region) const;
+  /// Bounds of a corner, the product of two lines' rounded normals; everything if it is not clearly ahead of the eye.
+  FrameBox bounds(const glm::dvec3& corner) const;
+  /// Where a direction from the eye is seen; false unless it is clearly ahead.
+  bool place(const glm::dvec3& from_eye, double& x, double& y) const;
   /// Bounds of what is seen of a box; false if all of it lies behind the eye.
   bool bounds(const TreeBox& box, FrameBox& out) const;
 

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "beam/frame.hpp"
+#include "beam/patches.hpp"
 
 namespace sightline {
 namespace {
+
+/// An open patch with more sides than this is split in two.
+constexpr std::uint32_t most_sides = 32;
 
 class FrontToBack : public Engine {
  public:
@@ -15,70 +19,53 @@ class FrontToBack : public Engine {
 
   std::unique_ptr<Engine> copy() const override { return std::make_unique<FrontToBack>(tree_); }
   void begin() override;
-  void fill(Regions::Region region, const glm::dvec3& ahead) override;
+  void fill(std::span<const SightlineRef> window, const glm::dvec3& ahead) override;
 
  private:
-  /// A region still open, with its bounds in the frame.
-  struct Open {
-    Regions::Region region;
-    FrameBox bounds;
-  };
-  /// Open regions stand on a stack; a node is given those from `first` up, and leaves there what remains of them.
+  /// Open patches stand on a stack; a node is given those from `first` up, and leaves there what remains of them.
   void visit(TreeNode& node, std::size_t first);
   void descend(TreeNode* child, std::size_t first);
   Sign eye_side(const TreeNode& node);
   Sign exact_side(const TreeNode& node) const;
-  bool may_meet(Regions::Region region, const TreeBox& box) const;
   void outline(const TreePiece& piece, Sign eye);
-  bool apart(Regions::Region region, const TreePiece& piece, Sign eye) const;
+  bool in_window(const TreeBox& box, FrameBox& bounds) const;
   bool in_sight(const TreeBox& box, std::size_t first);
-  bool carve(const Open& open, const TreePiece& piece, Sign eye, Regions::Region& inside);
-  void open_rest(const FrameBox& within);
+  bool carve(const Patch& patch, const TreePiece& piece, Sign eye, Patch& inside, Patch& outside);
+  void keep_open(const Patch& patch);
+  bool halve(const Patch& patch, Patch& a, Patch& b);
   void take_out(const TreeNode& node, Sign eye, std::size_t first);
+  void see(const Patch& patch, std::span<const SurfaceId> on);
 
   /// What has been seen in the plane of a node.
   struct Seen {
-    Open open;
+    Patch patch;
     std::uint32_t first, count;  // in seen_on_
   };
 
   const BspTree& tree_;
   Frame frame_;
-  glm::dvec3 eye_{0};
-  double scale_ = 1, doubt_ = 0;
-  std::vector<Open> open_;
-  std::vector<Regions::Region> parts_;
+  Patches patches_;
+  ViewScale scale_;
+  std::vector<glm::dvec3> window_;  // the normals of its sides
+  std::vector<Patch> open_;
   FrameBox piece_bounds_;            // of the piece looked at
+  Cone cone_;                        // what is seen of it, once it is needed
   std::vector<SightlineRef> lines_;  // its outline, once it is needed
   std::vector<Seen> seen_;
   std::vector<SurfaceId> seen_on_;
+  std::vector<float> middles_;
 };
 
 void FrontToBack::begin() {
-  eye_ = view.table.eye_approx();
-  // Boxes hold what they bound, rounding included. Values n.(x - eye) are of size 6 S at most, S the larger of 1 and
-  // the eye's reach; data carry 2^-53 of that, and three products and sums as much again: far below 2^-44 S.
-  scale_ = std::max({1.0, std::abs(eye_.x), std::abs(eye_.y), std::abs(eye_.z)});
-  doubt_ = 0x1p-44 * scale_;
-}
-
-/// Conservative: does some side of the region part it from the box?
-bool FrontToBack::may_meet(Regions::Region region, const TreeBox& box) const {
-  const glm::dvec3 at = box.middle - eye_;
-  for (const RegionSide& side : view.regions.sides(region)) {
-    const glm::dvec3& n = side.normal;
-    const double most = n.x * at.x + n.y * at.y + n.z * at.z + std::abs(n.x) * box.half.x + std::abs(n.y) * box.half.y +
-                        std::abs(n.z) * box.half.z;
-    if (most < -doubt_) return false;
-  }
-  return true;
+  scale_.set(view.table.eye_approx());
+  cone_.piece = nullptr;
 }
 
 Sign FrontToBack::eye_side(const TreeNode& node) {
   if (node.plane != none) return view.table.eye_side(node.plane);
   // The normal's components are at most 1, the eye's S: three products and their sum are within 2^-50 S.
-  const double value = glm::dot(node.normal, eye_) - node.d;
-  if (std::abs(value) > doubt_) return value > 0 ? 1 : -1;
+  const double value = glm::dot(node.normal, scale_.eye) - node.d;
+  if (std::abs(value) > scale_.point) return value > 0 ? 1 : -1;
   return exact_side(node);
 }
 
@@ -93,61 +80,81 @@ Sign FrontToBack::exact_side(const TreeNode& node) const {
   return sgn(value);
 }
 
-/// Lines of the piece's outline, their normals pointing inwards. Edges run counter-clockwise seen from the front of the
-/// plane, and (a - eye) x (b - eye) points outwards for an eye there. With P and Q the values of the piece's plane and
-/// a cutting one, P(eye) n_q - Q(eye) n_p is P(eye) Q(x) at a point x of the piece.
+/// Lines of the piece's outline, their normals pointing inwards, counter-clockwise as the eye sees it. Edges run
+/// counter-clockwise seen from the front of the plane, and (a - eye) x (b - eye) points outwards for an eye there. With
+/// P and Q the values of the piece's plane and a cutting one, P(eye) n_q - Q(eye) n_p is P(eye) Q(x) at a point x of
+/// the piece.
 void FrontToBack::outline(const TreePiece& piece, Sign eye) {
   lines_.clear();
   const PlaneId plane = view.scene.surfaces()[piece.surface].plane;
-  for (const TreeEdge& e : piece.edges) {
+  for (const TreeEdge& e : piece.edges()) {
     SightlineRef line = e.a != none ? view.table.of_points(e.a, e.b) : view.table.of_planes(plane, e.cut);
     line.sign *= e.a != none ? -eye : eye * e.inside;
+    if (e.a != none) patches_.name_line(line.id, e.a, e.b);
     lines_.push_back(line);
   }
+  if (eye < 0) std::reverse(lines_.begin(), lines_.end());
 }
 
-/// Does an edge of the piece clearly part it from the region? Told by doubles, so that lines of pieces that are not
-/// seen need not be made. With S as in begin(), (a - eye) x (b - eye) is at most 24 S^2 and within 2^-47 S^2, corners
-/// are at most 2 and within 2^-49: their product is within 2^-42 S^2.
-bool FrontToBack::apart(Regions::Region region, const TreePiece& piece, Sign eye) const {
-  const double doubt = 0x1p-42 * scale_ * scale_;
-  const auto sides = view.regions.sides(region);
-  const PointTable& points = view.scene.points();
-  for (const TreeEdge& e : piece.edges) {
-    if (e.a == none) continue;
-    const glm::dvec3 out = glm::cross(points.approx(e.a) - eye_, points.approx(e.b) - eye_) * static_cast<double>(eye);
-    const auto outside = [&](const RegionSide& side) { return glm::dot(out, side.corner) > doubt; };
-    if (std::all_of(sides.begin(), sides.end(), outside)) return true;
-  }
-  return false;
+/// May the box meet the window? Gives its bounds in the frame.
+bool FrontToBack::in_window(const TreeBox& box, FrameBox& bounds) const {
+  if (!frame_.bounds(box, bounds)) return false;
+  if (bounds.bounded()) return true;
+  const glm::dvec3 at = box.middle - scale_.eye;  // around the eye
+  return std::none_of(window_.begin(), window_.end(), [&](const glm::dvec3& n) {
+    return glm::dot(n, at) + glm::dot(glm::abs(n), box.half) < -scale_.point;
+  });
 }
 
-/// May the box meet an open region, or one in which a piece of this node has been seen? Leaves its bounds behind.
+/// May the box meet an open patch, or one in which a piece of this node has been seen? Leaves its bounds behind.
 bool FrontToBack::in_sight(const TreeBox& box, std::size_t first) {
-  if (!frame_.bounds(box, piece_bounds_)) return false;
+  if (!in_window(box, piece_bounds_)) return false;
   for (std::size_t k = first; k < open_.size(); ++k) {
     if (open_[k].bounds.meets(piece_bounds_)) return true;
   }
   for (const Seen& seen : seen_) {
-    if (seen.open.bounds.meets(piece_bounds_)) return true;
+    if (seen.patch.bounds.meets(piece_bounds_)) return true;
   }
   return false;
 }
 
-bool FrontToBack::carve(const Open& open, const TreePiece& piece, Sign eye, Regions::Region& inside) {
-  parts_.clear();
-  if (!open.bounds.meets(piece_bounds_) || !may_meet(open.region, piece.box)) return false;
-  if (lines_.empty()) {
-    if (apart(open.region, piece, eye)) return false;
-    outline(piece, eye);
-  }
-  return view.regions.carve(view.table, open.region, lines_, inside, parts_);
+bool FrontToBack::carve(const Patch& patch, const TreePiece& piece, Sign eye, Patch& inside, Patch& outside) {
+  if (!patch.bounds.meets(piece_bounds_)) return false;
+  if (cone_.piece != &piece) cone_.set(scale_, piece, eye);
+  const Patches::Place place = patches_.look(patch, piece_bounds_, cone_);
+  if (place == Patches::Place::outside) return false;
+  if (lines_.empty()) outline(piece, eye);
+  if (place == Patches::Place::touched) return patches_.carve(patch, lines_, inside, outside);
+  patches_.carve_within(patch, lines_, inside, outside);
+  return true;
 }
 
-/// What a carved region leaves stays open.
-void FrontToBack::open_rest(const FrameBox& within) {
-  for (const Regions::Region part : parts_) {
-    open_.push_back({part, frame_.bounds(view.regions.sides(part)).common(within)});
+/// Halves of about as many sides each, by a line along an axis of the frame. Any line would do.
+bool FrontToBack::halve(const Patch& patch, Patch& a, Patch& b) {
+  const float* const side = patch.bounds.side;
+  if (!patch.bounds.bounded()) return false;
+  const int axis = -side[2] - side[0] > -side[3] - side[1] ? 0 : 1;
+  middles_.clear();
+  for (std::uint32_t k = patch.first; k < patch.first + patch.count; ++k) {
+    middles_.push_back((patches_.box(k).side[axis] - patches_.box(k).side[axis + 2]) / 2);
+  }
+  const auto middle = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
+  std::nth_element(middles_.begin(), middle, middles_.end());
+  glm::dvec3 n = (axis == 0 ? frame_.across() : frame_.upwards()) - double{*middle} * frame_.ahead();
+  n *= 0x1p20 / std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+  const SightlineRef line =
+      view.table.of_normal({Integer(std::round(n.x)), Integer(std::round(n.y)), Integer(std::round(n.z))});
+  return patches_.split(patch, line, a, b);
+}
+
+void FrontToBack::keep_open(const Patch& patch) {
+  if (patch.empty()) return;
+  Patch a, b;
+  if (patch.count > most_sides && halve(patch, a, b)) {
+    keep_open(a);
+    keep_open(b);
+  } else {
+    open_.push_back(patch);
   }
 }
 
@@ -161,24 +168,24 @@ void FrontToBack::take_out(const TreeNode& node, Sign eye, std::size_t first) {
     const TreePiece& piece = node.pieces[i];
     if (!view.opaque(piece.surface, eye) || !in_sight(piece.box, first)) continue;
     lines_.clear();
-    Regions::Region inside;
+    Patch inside, outside;
     for (std::size_t k = 0, n = seen_.size(); k < n; ++k) {
       const Seen whole = seen_[k];
-      if (!carve(whole.open, piece, eye, inside)) continue;
-      for (const Regions::Region part : parts_) seen_.push_back({{part, whole.open.bounds}, whole.first, whole.count});
+      if (!carve(whole.patch, piece, eye, inside, outside)) continue;
+      if (!outside.empty()) seen_.push_back({outside, whole.first, whole.count});
       const auto on = static_cast<std::uint32_t>(seen_on_.size());
       for (std::uint32_t j = 0; j < whole.count; ++j) seen_on_.push_back(seen_on_[whole.first + j]);
       seen_on_.push_back(piece.surface);
-      seen_[k] = {{inside, whole.open.bounds}, on, whole.count + 1};
+      seen_[k] = {inside, on, whole.count + 1};
     }
     std::size_t kept = first;
     const std::size_t end = open_.size();
     for (std::size_t k = first; k < end; ++k) {
-      const Open open = open_[k];
-      if (carve(open, piece, eye, inside)) {
-        seen_.push_back({{inside, open.bounds}, static_cast<std::uint32_t>(seen_on_.size()), 1});
+      const Patch open = open_[k];
+      if (carve(open, piece, eye, inside, outside)) {
+        seen_.push_back({inside, static_cast<std::uint32_t>(seen_on_.size()), 1});
         seen_on_.push_back(piece.surface);
-        open_rest(open.bounds);
+        keep_open(outside);
       } else {
         open_[kept++] = open;
       }
@@ -186,21 +193,35 @@ void FrontToBack::take_out(const TreeNode& node, Sign eye, std::size_t first) {
     const auto begin = open_.begin();
     open_.erase(begin + static_cast<std::ptrdiff_t>(kept), begin + static_cast<std::ptrdiff_t>(end));
   }
-  for (const Seen& seen : seen_) {
-    view.see(seen.open.region, std::span(seen_on_).subspan(seen.first, seen.count), eye);
-  }
+  for (const Seen& seen : seen_) see(seen.patch, std::span(seen_on_).subspan(seen.first, seen.count));
   seen_.clear();
   seen_on_.clear();
 }
 
+/// Fragments are connected. A patch that is not, or that has holes, is split along one of its lines until its parts
+/// are; one that no line of its own splits is convex.
+void FrontToBack::see(const Patch& patch, std::span<const SurfaceId> on) {
+  std::uint32_t other = 0;
+  if (!patches_.simple(patch, other)) {
+    Patch a, b;
+    for (std::uint32_t k = 0; k < patch.count; ++k) {
+      const SightlineRef line = patches_.sides(patch)[(other + k) % patch.count].line;
+      if (!patches_.split(patch, line, a, b)) continue;
+      see(a, on);
+      see(b, on);
+      return;
+    }
+  }
+  patches_.see(patch, on, view.fragments);
+}
+
 void FrontToBack::descend(TreeNode* child, std::size_t first) {
   FrameBox bounds;
-  if (!child || first == open_.size() || !frame_.bounds(child->box, bounds)) return;
-  // Regions that the box cannot be seen in go first, out of the way.
+  if (!child || first == open_.size() || !in_window(child->box, bounds)) return;
+  // Patches that the box cannot be seen in go first, out of the way.
   const auto begin = open_.begin() + static_cast<std::ptrdiff_t>(first);
-  const bool around = !bounds.bounded();  // a box around the eye: only the regions' sides tell
-  const auto reached = std::partition(begin, open_.end(), [&](const Open& o) {
-    return !o.bounds.meets(bounds) || (around && !may_meet(o.region, child->box));
+  const auto reached = std::partition(begin, open_.end(), [&](const Patch& o) {
+    return !o.bounds.meets(bounds) || patches_.look(o, bounds, child->box) == Patches::Place::outside;
   });
   if (reached != open_.end()) visit(*child, static_cast<std::size_t>(reached - open_.begin()));
 }
@@ -214,12 +235,18 @@ void FrontToBack::visit(TreeNode& node, std::size_t first) {
   descend(node.child[eye <= 0], first);
 }
 
-void FrontToBack::fill(Regions::Region region, const glm::dvec3& ahead) {
-  frame_.set(eye_, ahead, doubt_);
-  open_.assign(1, {region, frame_.bounds(view.regions.sides(region))});
+void FrontToBack::fill(std::span<const SightlineRef> window, const glm::dvec3& ahead) {
+  frame_.set(scale_.eye, ahead, scale_.point);
+  patches_.begin(view.table, frame_, scale_);
+  window_.clear();
+  for (const SightlineRef side : window) {
+    window_.push_back(view.table.approx(side.id) * static_cast<double>(side.sign));
+  }
+  open_.assign(1, patches_.convex(window));
   const std::size_t before = view.fragments.fragments.size();
   descend(tree_.root(), 0);
-  for (const Open& left : open_) view.see(left.region, {}, 0);
+  for (const Patch& left : open_) see(left, {});
+  patches_.tell_same(view.fragments);
   view.beams += static_cast<std::uint32_t>(view.fragments.fragments.size() - before);
 }
 

@@ -38,7 +38,6 @@ struct Tracer::State {
 void Tracer::State::begin(const glm::dvec3& eye) {
   View& view = engine->view;
   view.table.reset(view.table.planes(), view.scene.grid().point(eye));
-  view.regions.release(0);
   view.fragments.clear();
   view.beams = view.cells = 0;
   engine->begin();
@@ -53,7 +52,7 @@ Border Tracer::State::fill(const Camera& camera, const Window& window) {
   const bool mirrored = window.handedness() < 0;
   const SightlineRef sides[] = {border[Window::bottom], border[mirrored ? Window::left : Window::right],
                                 border[Window::top], border[mirrored ? Window::right : Window::left]};
-  engine->fill(view.regions.push(view.table, sides), window.ahead());
+  engine->fill(sides, window.ahead());
   return border;
 }
 
@@ -119,8 +118,7 @@ void Tracer::trace_sphere(const glm::dvec3& eye, VisibilityMap& map, TraceStats*
     // x, z, y run counter-clockwise around the octant of the positive axes; each mirroring turns that round.
     const bool even = octant == 0 || octant == 3 || octant == 5 || octant == 6;
     const SightlineRef around[] = {side[0], even ? side[2] : side[1], even ? side[1] : side[2]};
-    s.engine->fill(view.regions.push(view.table, around), ahead);
-    view.regions.release(0);
+    s.engine->fill(around, ahead);
   }
   s.stitcher.stitch_sphere(view.scene, eye, view.table, view.fragments, map);
   s.finish(stats);

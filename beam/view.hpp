@@ -38,9 +38,10 @@ class Engine {
   virtual std::unique_ptr<Engine> copy() const = 0;
   /// For a new eye: the view's table has it already.
   virtual void begin() = 0;
-  /// Fills the region with fragments. `ahead` is a direction inside of the region's half space: what lies behind the
-  /// plane through the eye that it is normal to is not in the region.
-  virtual void fill(Regions::Region region, const glm::dvec3& ahead) = 0;
+  /// Fills a convex part of the view with fragments, given by its sides, their normals pointing inwards, in
+  /// counter-clockwise order. `ahead` is a direction such that nothing of it lies behind the plane through the eye that
+  /// it is normal to.
+  virtual void fill(std::span<const SightlineRef> window, const glm::dvec3& ahead) = 0;
 
   View view;
 };

@@ -77,6 +77,7 @@ struct BspTree::State {
   Store<TreeNode> nodes;
   Store<TreePiece> kept;
   Store<TreeEdge> edges;
+  Store<TreeCorner> places;
   Store<TreeBox> boxes;
   TreeNode* root = nullptr;
   std::size_t node_count = 0, piece_count = 0;
@@ -92,7 +93,9 @@ void BspTree::State::keep(TreeNode& n) {
     const auto sides_of_surface = scene.edges(scene.surfaces()[piece.surface]);
     const auto corners = pieces.corners(piece);
     TreeEdge* const edge = edges.take(corners.size());
+    TreeCorner* const place = places.take(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i) {
+      place[i] = {corners[i].place.approx, corners[i].point};
       const PlaneId side = corners[i].side;
       const auto own = std::find_if(sides_of_surface.begin(), sides_of_surface.end(),
                                     [side](const SurfaceEdge& e) { return e.wall == side; });
@@ -105,7 +108,7 @@ void BspTree::State::keep(TreeNode& n) {
         if (edge[i].inside == 0) edge[i].inside = pieces.side(c, side);
       }
     }
-    out[k] = {piece.surface, {edge, corners.size()}, box_of({&piece, 1})};
+    out[k] = {piece.surface, static_cast<std::uint32_t>(corners.size()), edge, place, box_of({&piece, 1})};
   }
   n.pieces = {out, on.size()};
   if (on.size() > tree_group) {
@@ -223,8 +226,8 @@ void BspTree::divide(TreeNode& node) const {
 BspTree::Size BspTree::size() const {
   const std::lock_guard lock(state_->mutex);
   return {state_->node_count, state_->piece_count,
-          state_->nodes.bytes() + state_->kept.bytes() + state_->edges.bytes() + state_->boxes.bytes() +
-              state_->waiting.capacity() * sizeof(Piece)};
+          state_->nodes.bytes() + state_->kept.bytes() + state_->edges.bytes() + state_->places.bytes() +
+              state_->boxes.bytes() + state_->waiting.capacity() * sizeof(Piece)};
 }
 
 }  // namespace sightline

@@ -22,11 +22,21 @@ struct TreeBox {
   glm::dvec3 middle, half;
 };
 
-/// A convex part of a surface.
+/// Where a side of a piece begins, within 2^-48 in unit coordinates; the scene's point there, if it is one.
+struct TreeCorner {
+  glm::dvec3 at;
+  PointId point;
+};
+
+/// A convex part of a surface: side k runs from corner k to the next.
 struct TreePiece {
   SurfaceId surface;
-  std::span<const TreeEdge> edges;
+  std::uint32_t count;  // of sides
+  const TreeEdge* edge;
+  const TreeCorner* corner;
   TreeBox box;
+  std::span<const TreeEdge> edges() const { return {edge, count}; }
+  std::span<const TreeCorner> corners() const { return {corner, count}; }
 };
 
 /// Pieces of a node that share a box, so that they can be passed over together.

@@ -1,0 +1,294 @@
+#include "beam/patches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace sightline {
+
+void Patches::begin(SightlineTable& table, const Frame& frame, const ViewScale& scale) {
+  table_ = &table;
+  frame_ = &frame;
+  scale_ = scale;
+  corners_.clear();
+  sides_.clear();
+  boxes_.clear();
+  given_.clear();
+  line_points_.clear();
+  stamp_ = walk_ = 0;
+}
+
+std::uint32_t Patches::root(std::uint32_t corner) {
+  while (corners_[corner].parent != corner) {
+    corner = corners_[corner].parent = corners_[corners_[corner].parent].parent;
+  }
+  return corner;
+}
+
+void Patches::unite(std::uint32_t a, std::uint32_t b) {
+  a = root(a);
+  b = root(b);
+  corners_[std::max(a, b)].parent = std::min(a, b);
+}
+
+void Patches::name_line(SightlineId line, PointId a, PointId b) {
+  if (line >= line_points_.size()) line_points_.resize(line + 1);
+  if (line_points_[line].a == none) line_points_[line] = {a, b};
+}
+
+/// The ray n_line x n_across.
+std::uint32_t Patches::make_corner(SightlineRef across, SightlineRef line) {
+  const auto id = static_cast<std::uint32_t>(corners_.size());
+  Corner& c = corners_.emplace_back();
+  c.name = FragmentCorner::of(across, line);
+  c.ray = glm::cross(table_->approx(c.name.low), table_->approx(c.name.high)) * static_cast<double>(c.name.sign);
+  c.box = frame_->bounds(c.ray);
+  c.parent = id;
+  const std::size_t named = line_points_.size();
+  if (c.name.high < named) {
+    const LinePoints &low = line_points_[c.name.low], &high = line_points_[c.name.high];
+    c.point = high.has(low.a) ? low.a : high.has(low.b) ? low.b : none;
+  }
+  return id;
+}
+
+void Patches::add_side(SightlineRef line, std::uint32_t from, std::uint32_t to) {
+  sides_.push_back({line, from, to});
+  boxes_.push_back(corners_[from].box.around(corners_[to].box));
+}
+
+Patch Patches::since(std::uint32_t first) const {
+  Patch p{first, static_cast<std::uint32_t>(sides_.size()) - first, {}};
+  if (p.count == 0) return p;
+  p.bounds = boxes_[first];
+  for (std::uint32_t k = first + 1; k < first + p.count; ++k) p.bounds = p.bounds.around(boxes_[k]);
+  return p;
+}
+
+Patch Patches::convex(std::span<const SightlineRef> lines) {
+  const auto first = static_cast<std::uint32_t>(sides_.size());
+  const std::uint32_t begin = make_corner(lines.back(), lines.front());
+  std::uint32_t from = begin;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::uint32_t to = k + 1 == lines.size() ? begin : make_corner(lines[k], lines[k + 1]);
+    add_side(lines[k], from, to);
+    from = to;
+  }
+  return since(first);
+}
+
+/// Is a ray in the patch? Known by what a line of the frame from it towards greater x crosses, unless it comes too near
+/// to a corner, or the ray to a side.
+bool Patches::odd(const Patch& patch, const glm::dvec3& ray, bool& known) const {
+  double x = 0, y = 0;
+  known = frame_->place(ray, x, y);
+  if (!known) return false;
+  constexpr float far = std::numeric_limits<float>::infinity();
+  const double off_x = 0x1p-22 * std::abs(x), off_y = 0x1p-22 * std::abs(y);
+  const FrameBox line{
+      {static_cast<float>(x - off_x), static_cast<float>(y - off_y), -far, static_cast<float>(-y - off_y)}};
+  bool odd = false;
+  for (std::uint32_t k = patch.first; k < patch.first + patch.count; ++k) {
+    const FrameBox& box = boxes_[k];
+    if (!box.meets(line)) continue;
+    const FrameBox &from = corners_[sides_[k].from].box, &to = corners_[sides_[k].to].box;
+    const bool up = -from.side[3] < y && y < to.side[1], down = -to.side[3] < y && y < from.side[1];
+    if (up == down) {
+      known = false;
+      return false;
+    }
+    if (box.side[0] > x) {
+      odd = !odd;
+      continue;
+    }
+    // The frame is seen with x to the left and y upwards, inside is on the left of a side: with the ray inside, it
+    // lies towards greater x if it goes down.
+    const double inside = glm::dot(table_->approx(sides_[k].line.id), ray) * sides_[k].line.sign;
+    if (!(std::abs(inside) > 4 * scale_.point)) {
+      known = false;
+      return false;
+    }
+    if ((inside > 0) == down) odd = !odd;
+  }
+  return odd;
+}
+
+/// Is there a line, along the side of the patch or one of the figure, that clearly has them on its two sides?
+/// `within` is set where an end of the side is clearly in the figure.
+bool Patches::keeps_away(const FragmentSide& side, Cone& figure, bool& within) const {
+  const glm::dvec3& n = table_->approx(side.line.id);
+  bool front = true, behind = true;
+  for (const glm::dvec3& ray : figure.ray) {
+    const double value = glm::dot(n, ray);
+    front = front && value > scale_.point;
+    behind = behind && value < -scale_.point;
+    if (!front && !behind) break;
+  }
+  if (front || behind) return true;
+  figure.need_sides();
+  const glm::dvec3 &from = corners_[side.from].ray, &to = corners_[side.to].ray;
+  bool from_within = true, to_within = true;
+  for (const glm::dvec3& out : figure.out) {
+    const double at_from = glm::dot(out, from), at_to = glm::dot(out, to);
+    if (at_from > scale_.side && at_to > scale_.side) return true;
+    from_within = from_within && at_from < -scale_.side;
+    to_within = to_within && at_to < -scale_.side;
+  }
+  within = within || from_within || to_within;
+  return false;
+}
+
+/// The side of a corner against side k of a figure, +1 outwards, where doubles do not tell; `uncertain` for a cut.
+Sign Patches::exact_side(const Corner& corner, Cone& figure, std::uint32_t k) const {
+  const TreePiece& piece = *figure.piece;
+  const TreeEdge& edge = piece.edge[k];
+  const PointId p = corner.point;
+  if (p != none && (p == edge.a || p == edge.b || p == piece.corner[k].point ||
+                    p == piece.corner[k + 1 == piece.count ? 0 : k + 1].point)) {
+    return 0;
+  }
+  if (edge.a == none) return uncertain;
+  SightlineRef& outer = figure.outer[k];
+  if (outer.id == none) {
+    outer = table_->of_points(edge.a, edge.b);
+    outer.sign *= figure.eye_side;
+  }
+  return table_->order({corner.name.low, corner.name.sign}, {corner.name.high, 1}, outer);
+}
+
+/// Is there such a line at all, which they may touch? What the figure does not clearly keep away from is decided
+/// exactly, as long as that is cheap.
+bool Patches::parted(const FragmentSide& side, Cone& figure) const {
+  const glm::dvec3& n = table_->approx(side.line.id);
+  const LinePoints points = side.line.id < line_points_.size() ? line_points_[side.line.id] : LinePoints{};
+  bool front = true, behind = true;
+  for (std::uint32_t k = 0; k < figure.piece->count && (front || behind); ++k) {
+    const double value = glm::dot(n, figure.ray[k]);
+    const PointId p = figure.piece->corner[k].point;
+    if (std::abs(value) > scale_.point) {
+      (value > 0 ? behind : front) = false;
+    } else if (!points.has(p)) {
+      const Sign sign = p != none ? table_->side({side.line.id, 1}, p) : uncertain;
+      front = front && (sign == 0 || sign == 1);
+      behind = behind && (sign == 0 || sign == -1);
+    }
+  }
+  if (front || behind) return true;
+  const Corner &from = corners_[side.from], &to = corners_[side.to];
+  for (std::uint32_t k = 0; k < figure.piece->count; ++k) {
+    const double at_from = glm::dot(figure.out[k], from.ray), at_to = glm::dot(figure.out[k], to.ray);
+    if (at_from < -scale_.side || at_to < -scale_.side) continue;
+    const auto outside = [&](double value, const Corner& c) {
+      const Sign sign = value > scale_.side ? 1 : exact_side(c, figure, k);
+      return sign == 0 || sign == 1;
+    };
+    if (outside(at_from, from) && outside(at_to, to)) return true;
+  }
+  return false;
+}
+
+Patches::Place Patches::look(const Patch& patch, const FrameBox& bounds, Cone& figure) {
+  near_.clear();
+  bool within = false;
+  for (std::uint32_t k = patch.first, end = patch.first + patch.count; k < end; ++k) {
+    if (boxes_[k].meets(bounds) && !keeps_away(sides_[k], figure, within)) near_.push_back(k);
+  }
+  if (within) return Place::touched;
+  for (const std::uint32_t k : near_) {
+    if (!parted(sides_[k], figure)) return Place::touched;
+  }
+  // No side meets the figure: all of it is inside or outside.
+  bool known = false;
+  const bool inside = odd(patch, figure.inner(frame_->ahead()), known);
+  return !known || (inside && !near_.empty()) ? Place::touched : inside ? Place::inside : Place::outside;
+}
+
+/// A side keeps away if its box does, or if a plane along it has the figure on one side.
+Patches::Place Patches::look(const Patch& patch, const FrameBox& bounds, const TreeBox& figure) const {
+  const glm::dvec3 middle = figure.middle - scale_.eye;
+  for (std::uint32_t k = patch.first, end = patch.first + patch.count; k < end; ++k) {
+    if (!boxes_[k].meets(bounds)) continue;
+    const glm::dvec3& n = table_->approx(sides_[k].line.id);
+    if (!(std::abs(glm::dot(n, middle)) > glm::dot(glm::abs(n), figure.half) + scale_.point)) return Place::touched;
+  }
+  bool known = false;
+  const bool inside = odd(patch, middle, known);
+  return !known ? Place::touched : inside ? Place::inside : Place::outside;
+}
+
+bool Patches::split(const Patch& patch, SightlineRef line, Patch& front, Patch& behind) {
+  take_up(patch);
+  if (classify(line) != 3) return false;
+  behind_.clear();
+  clip(line, &behind_);
+  auto first = static_cast<std::uint32_t>(sides_.size());
+  for (const Part& part : parts_) add_side(part.line, part.from, part.to);
+  front = since(first);
+  first = static_cast<std::uint32_t>(sides_.size());
+  for (const Part& part : behind_) add_side(part.line, part.from, part.to);
+  for (const Part& part : parts_) {
+    if (part.origin == none) add_side(-part.line, part.to, part.from);
+  }
+  behind = since(first);
+  return true;
+}
+
+/// Follows the sides from the first one on, by the rays in which they meet.
+bool Patches::simple(const Patch& patch, std::uint32_t& other) {
+  ++walk_;
+  const auto all = sides(patch);
+  for (std::uint32_t k = 0; k < all.size(); ++k) {
+    Corner& begin = corners_[root(all[k].from)];
+    if (begin.walk == walk_) {
+      other = k;
+      return false;
+    }
+    begin.walk = walk_;
+    begin.at = k;
+  }
+  std::uint32_t k = 0, passed = 0;
+  do {
+    Corner& begin = corners_[root(all[k].from)];
+    begin.walk = 0;
+    ++passed;
+    const Corner& next = corners_[root(all[k].to)];
+    k = next.walk == walk_ ? next.at : 0;
+  } while (k != 0);
+  if (passed == all.size()) return true;
+  for (other = 0; corners_[root(all[other].from)].walk != walk_; ++other) {
+  }
+  return false;
+}
+
+void Patches::see(const Patch& patch, std::span<const SurfaceId> on, Fragments& out) {
+  out.fragments.push_back({static_cast<std::uint32_t>(out.sides.size()), patch.count,
+                           static_cast<std::uint32_t>(out.seen.size()), static_cast<std::uint32_t>(on.size())});
+  out.seen.insert(out.seen.end(), on.begin(), on.end());
+  const auto given = [&](std::uint32_t corner) {
+    Corner& c = corners_[corner];
+    if (c.out == none) {
+      c.out = static_cast<std::uint32_t>(out.corners.size());
+      out.corners.push_back(c.name);
+      given_.push_back(corner);
+    }
+    return c.out;
+  };
+  for (const FragmentSide& side : sides(patch)) out.sides.push_back({side.line, given(side.from), given(side.to)});
+}
+
+void Patches::tell_same(Fragments& out) {
+  for (const std::uint32_t corner : given_) {
+    const std::uint32_t top = root(corner);
+    if (top == corner) continue;
+    Corner& first = corners_[top];
+    if (first.out == none) {
+      first.out = corners_[corner].out;
+    } else if (first.out != corners_[corner].out) {
+      out.same.push_back({first.out, corners_[corner].out});
+    }
+  }
+  given_.clear();
+}
+
+}  // namespace sightline
