@@ -42,7 +42,12 @@ std::uint32_t Patches::make_corner(SightlineRef across, SightlineRef line) {
   const auto id = static_cast<std::uint32_t>(corners_.size());
   Corner& c = corners_.emplace_back();
   c.name = FragmentCorner::of(across, line);
-  c.ray = glm::cross(table_->approx(c.name.low), table_->approx(c.name.high)) * static_cast<double>(c.name.sign);
+  // Where the lines are all but parallel, their rounded normals say little about the ray.
+  c.ray = glm::cross(table_->approx(c.name.low), table_->approx(c.name.high));
+  if (std::max({std::abs(c.ray.x), std::abs(c.ray.y), std::abs(c.ray.z)}) < 0x1p-10) {
+    c.ray = table_->corner(c.name.low, c.name.high);
+  }
+  if (c.name.sign < 0) c.ray = -c.ray;
   c.box = frame_->bounds(c.ray);
   c.parent = id;
   const std::size_t named = line_points_.size();
@@ -139,6 +144,12 @@ bool Patches::keeps_away(const FragmentSide& side, Cone& figure, bool& within) c
   return false;
 }
 
+/// Where doubles do not tell: by what the two are, then by numbers.
+Sign Patches::exact_side(const Corner& corner, SightlineRef line) const {
+  if (line.id < line_points_.size() && line_points_[line.id].has(corner.point)) return 0;
+  return table_->order({corner.name.low, corner.name.sign}, {corner.name.high, 1}, line);
+}
+
 /// The side of a corner against side k of a figure, +1 outwards, where doubles do not tell; `uncertain` for a cut.
 Sign Patches::exact_side(const Corner& corner, Cone& figure, std::uint32_t k) const {
   const TreePiece& piece = *figure.piece;
@@ -154,7 +165,7 @@ Sign Patches::exact_side(const Corner& corner, Cone& figure, std::uint32_t k) co
     outer = table_->of_points(edge.a, edge.b);
     outer.sign *= figure.eye_side;
   }
-  return table_->order({corner.name.low, corner.name.sign}, {corner.name.high, 1}, outer);
+  return exact_side(corner, outer);
 }
 
 /// Is there such a line at all, which they may touch? What the figure does not clearly keep away from is decided

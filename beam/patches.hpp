@@ -94,6 +94,7 @@ class Patches {
   bool odd(const Patch& patch, const glm::dvec3& ray, bool& known) const;
   bool keeps_away(const FragmentSide& side, Cone& figure, bool& within) const;
   bool parted(const FragmentSide& side, Cone& figure) const;
+  Sign exact_side(const Corner& corner, SightlineRef line) const;
   Sign exact_side(const Corner& corner, Cone& figure, std::uint32_t k) const;
   /// A line of the figure's outline; `corner`, once it is needed, is where it begins.
   struct OutlineLine {

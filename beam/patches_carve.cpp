@@ -24,7 +24,7 @@ std::pair<std::uint32_t, std::uint32_t> Patches::places(std::uint32_t corner) {
       ++tally().filter;
       if (det < 0) c.behind |= bit;
     } else {
-      const Sign sign = table_->order({c.name.low, c.name.sign}, {c.name.high, 1}, l.line);
+      const Sign sign = exact_side(c, l.line);
       if (sign < 0) c.behind |= bit;
       if (sign == 0) c.on |= bit;
     }

@@ -19,7 +19,7 @@ inline Sign Patches::side_of(std::uint32_t corner, SightlineRef line, const glm:
     ++tally().filter;
     return c.sign = det > 0 ? 1 : -1;
   }
-  return c.sign = table_->order({c.name.low, c.name.sign}, {c.name.high, 1}, line);
+  return c.sign = exact_side(c, line);
 }
 
 void Patches::take_up(const Patch& patch) {

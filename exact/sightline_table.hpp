@@ -80,6 +80,9 @@ class SightlineTable {
   /// The canonical normal scaled by a power of two to largest component in [1/2, 1], each component within 2^-53.
   const glm::dvec3& approx(SightlineId id) const { return approx_[id]; }
   std::array<Integer, 3> normal(SightlineId id) const;
+  /// The ray N_a x N_b of two different lines' canonical normals, however close these are: scaled by a power of two to
+  /// largest component in [1/2, 1], each within 2^-53.
+  glm::dvec3 corner(SightlineId a, SightlineId b) const;
   /// Bit length of the longest component of the canonical normal.
   std::uint32_t bits(SightlineId id) const { return line_[id].bits; }
   /// The canonical normal's components one after the other, words_for(bits(id)) two's complement words each.
