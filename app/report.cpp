@@ -49,8 +49,8 @@ Json complex_json(const ComplexFigures& c) {
 
 Json camera_json(std::size_t index, const CameraFigures& c) {
   if (!c.error.empty()) return {{"index", index}, {"error", c.error}};
-  return {{"index", index},   {"seconds", c.seconds}, {"beams", c.beams},      {"cells", c.cells},
-          {"faces", c.faces}, {"edges", c.edges},     {"vertices", c.vertices}};
+  return {{"index", index},   {"seconds", c.seconds}, {"beams", c.beams},       {"cells", c.cells},
+          {"faces", c.faces}, {"edges", c.edges},     {"vertices", c.vertices}, {"left_out", c.left_out}};
 }
 
 Json decisions_json() {

@@ -26,7 +26,8 @@ ComplexFigures figures_of(const BspTree& tree);
 struct CameraFigures {
   double seconds = 0;  // from a camera to its finished map in memory
   std::uint32_t beams = 0, cells = 0, faces = 0, edges = 0, vertices = 0;
-  std::string error;  // why it failed; empty when it did not
+  double left_out = 0;  // with --min-angle: a bound on the part of the window that was not followed
+  std::string error;    // why it failed; empty when it did not
 };
 
 struct Report {

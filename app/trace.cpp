@@ -29,6 +29,7 @@ struct TraceCommand {
   CommonOptions common;
   std::filesystem::path input, cameras, folder;
   std::string formats = "map";
+  double min_angle = 0;
 };
 
 /// The names between the commas.
@@ -85,7 +86,7 @@ class MapWriter {
 };
 
 CameraFigures camera_figures(const TraceStats& s) {
-  return {s.seconds, s.beams, s.cells, s.faces, s.edges, s.vertices, {}};
+  return {s.seconds, s.beams, s.cells, s.faces, s.edges, s.vertices, s.left_out, {}};
 }
 
 /// Traces all cameras and writes their maps; a camera that fails leaves its reason in its figures.
@@ -137,6 +138,12 @@ ComplexFigures complex_of(Input& input) {
 int trace_cameras(TraceCommand& command) {
   check(command.common);
   const std::set<std::string> formats = checked_formats(command.formats);
+  if (!(command.min_angle >= 0 && command.min_angle <= 0.01)) {
+    throw UsageError("--min-angle: radians from 0 to 0.01");
+  }
+  if (command.min_angle != 0 && command.common.engine == "cells") {
+    throw UsageError("--min-angle: not with --engine cells, which follows all beams");
+  }
   const Stopwatch watch;
   const std::vector<Camera> cameras = read_cameras(command.cameras);
   if (cameras.empty()) throw InputError(command.cameras.string() + ": no camera in it");
@@ -159,7 +166,7 @@ int trace_cameras(TraceCommand& command) {
   tell(describe(*report.complex), command.common.quiet);
 
   MapWriter writer(command.folder, formats, cameras.size());
-  const Tracer tracer = tree ? Tracer(*tree) : Tracer(input.scene, *input.complex);
+  const Tracer tracer = tree ? Tracer(*tree, {command.min_angle}) : Tracer(input.scene, *input.complex);
   report.cameras = trace_all(tracer, input.scene, cameras, writer, command.common);
   writer.finish();
   std::size_t failed = 0;
@@ -187,6 +194,10 @@ void add_trace_command(CLI::App& root, Run& run) {
   sub->add_option("-o,--output", command->folder, "Folder for the maps; made if missing")->required()->type_name("DIR");
   sub->add_option("--format", command->formats, "What to write: map, svg, png, pdf, csv")
       ->type_name("LIST")
+      ->capture_default_str();
+  sub->add_option("--min-angle", command->min_angle,
+                  "Radians: what is narrower is not followed; the report bounds what that leaves out. 0: exact")
+      ->type_name("A")
       ->capture_default_str();
   add_common_options(*sub, command->common);
   sub->callback([command, &run] { run = [command] { return trace_cameras(*command); }; });

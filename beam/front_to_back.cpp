@@ -15,9 +15,10 @@ constexpr std::uint32_t most_sides = 32;
 
 class FrontToBack : public Engine {
  public:
-  explicit FrontToBack(const BspTree& tree) : Engine(tree.scene(), tree.scene().planes()), tree_(tree) {}
+  FrontToBack(const BspTree& tree, double min_angle)
+      : Engine(tree.scene(), tree.scene().planes()), tree_(tree), min_angle_(min_angle) {}
 
-  std::unique_ptr<Engine> copy() const override { return std::make_unique<FrontToBack>(tree_); }
+  std::unique_ptr<Engine> copy() const override { return std::make_unique<FrontToBack>(tree_, min_angle_); }
   void begin() override;
   void fill(std::span<const SightlineRef> window, const glm::dvec3& ahead) override;
 
@@ -31,7 +32,7 @@ class FrontToBack : public Engine {
   bool in_window(const TreeBox& box, FrameBox& bounds) const;
   bool in_sight(const TreeBox& box, std::size_t first);
   bool carve(const Patch& patch, const TreePiece& piece, Sign eye, Patch& inside, Patch& outside);
-  void keep_open(const Patch& patch);
+  void keep_open(Patch patch);
   bool halve(const Patch& patch, Patch& a, Patch& b);
   void take_out(const TreeNode& node, Sign eye, std::size_t first);
   void see(const Patch& patch, std::span<const SurfaceId> on);
@@ -43,11 +44,12 @@ class FrontToBack : public Engine {
   };
 
   const BspTree& tree_;
+  const double min_angle_;
   Frame frame_;
   Patches patches_;
   ViewScale scale_;
   std::vector<glm::dvec3> window_;  // the normals of its sides
-  std::vector<Patch> open_;
+  std::vector<Patch> open_, slivers_;
   FrameBox piece_bounds_;            // of the piece looked at
   Cone cone_;                        // what is seen of it, once it is needed
   std::vector<SightlineRef> lines_;  // its outline, once it is needed
@@ -91,6 +93,9 @@ void FrontToBack::outline(const TreePiece& piece, Sign eye) {
     SightlineRef line = e.a != none ? view.table.of_points(e.a, e.b) : view.table.of_planes(plane, e.cut);
     line.sign *= e.a != none ? -eye : eye * e.inside;
     if (e.a != none) patches_.name_line(line.id, e.a, e.b);
+    if (min_angle_ > 0) {
+      view.fragments.origins.push_back({line.id, e.a != none, {e.a != none ? e.a : plane, e.a != none ? e.b : e.cut}});
+    }
     lines_.push_back(line);
   }
   if (eye < 0) std::reverse(lines_.begin(), lines_.end());
@@ -129,8 +134,11 @@ bool FrontToBack::carve(const Patch& patch, const TreePiece& piece, Sign eye, Pa
   return true;
 }
 
-/// Halves of about as many sides each, by a line along an axis of the frame. Any line would do.
+/// Halves of about as many sides each, by a line along an axis of the frame. Any line would do, but where not all
+/// beams are followed the border between what is and what is not may run along it, and it needs a name: then it is one
+/// of the patch's own.
 bool FrontToBack::halve(const Patch& patch, Patch& a, Patch& b) {
+  if (min_angle_ > 0) return patches_.split(patch, patches_.middle_line(patch), a, b);
   const float* const side = patch.bounds.side;
   if (!patch.bounds.bounded()) return false;
   const int axis = -side[2] - side[0] > -side[3] - side[1] ? 0 : 1;
@@ -147,7 +155,8 @@ bool FrontToBack::halve(const Patch& patch, Patch& a, Patch& b) {
   return patches_.split(patch, line, a, b);
 }
 
-void FrontToBack::keep_open(const Patch& patch) {
+void FrontToBack::keep_open(Patch patch) {
+  if (min_angle_ > 0) view.left_out += patches_.part_slivers(patch, min_angle_, slivers_);
   if (patch.empty()) return;
   Patch a, b;
   if (patch.count > most_sides && halve(patch, a, b)) {
@@ -246,12 +255,16 @@ void FrontToBack::fill(std::span<const SightlineRef> window, const glm::dvec3& a
   const std::size_t before = view.fragments.fragments.size();
   descend(tree_.root(), 0);
   for (const Patch& left : open_) see(left, {});
+  for (const Patch& sliver : slivers_) see(sliver, {});
+  slivers_.clear();
   patches_.tell_same(view.fragments);
   view.beams += static_cast<std::uint32_t>(view.fragments.fragments.size() - before);
 }
 
 }  // namespace
 
-std::unique_ptr<Engine> front_to_back_engine(const BspTree& tree) { return std::make_unique<FrontToBack>(tree); }
+std::unique_ptr<Engine> front_to_back_engine(const BspTree& tree, double min_angle) {
+  return std::make_unique<FrontToBack>(tree, min_angle);
+}
 
 }  // namespace sightline

@@ -46,9 +46,15 @@ class Patches {
   void carve_within(const Patch& patch, std::span<const SightlineRef> lines, Patch& inside, Patch& outside);
   /// The parts in front of a line and behind it. False: one of them has no interior, and nothing was made.
   bool split(const Patch& patch, SightlineRef line, Patch& front, Patch& behind);
+  /// That of the patch's lines which has the corners most evenly on its two sides, as far as doubles tell.
+  SightlineRef middle_line(const Patch& patch) const;
   /// Is it one region whose boundary is a single loop? Else `other` is a side (of the patch, from 0) along which to
   /// split it first: one that is not on the loop of side 0 if there is one.
   bool simple(const Patch& patch, std::uint32_t& other);
+
+  /// Takes away the parts that lie between a line and another that is less than `angle` (radians, below 0.01) off, as
+  /// far as they are loops by themselves, and appends them to `slivers`. Gives a bound on their solid angle.
+  double part_slivers(Patch& patch, double angle, std::vector<Patch>& slivers);
 
   std::span<const FragmentSide> sides(const Patch& p) const { return std::span(sides_).subspan(p.first, p.count); }
   const glm::dvec3& ray(std::uint32_t corner) const { return corners_[corner].ray; }
@@ -116,6 +122,16 @@ class Patches {
     std::uint32_t corner;
     int plus, minus;
   };
+  /// A loop of a patch's boundary. Narrow: within `width` (a sine) of `line`, and no longer than `length` (radians).
+  struct Loop {
+    std::uint32_t first, count;  // in loop_sides_
+    double width, length;
+    SightlineRef line;
+    enum Kind : std::uint8_t { wide, narrow, narrow_hole, parted } kind;
+  };
+  bool find_loops(const Patch& patch);
+  void measure(Loop& loop, double narrow);
+  bool in_strip(const Loop& loop, const Loop& strip) const;
   std::pair<std::uint32_t, std::uint32_t> places(std::uint32_t corner);
   std::uint32_t outline_corner(std::size_t k);
   std::uint32_t outline_place(std::uint32_t on) const;
@@ -153,6 +169,8 @@ class Patches {
   std::vector<FragmentSide> sides_;
   std::vector<FrameBox> boxes_;  // of the sides
   std::uint32_t stamp_ = 0, walk_ = 0;
+  std::vector<Loop> loops_;  // of the patch at hand
+  std::vector<std::uint32_t> loop_sides_;
   // The figure at hand.
   std::vector<std::uint32_t> near_;  // sides of the patch that may touch it
   std::vector<OutlineLine> outline_;

@@ -9,7 +9,7 @@
 namespace sightline {
 
 // filter_order with the cross product of the first two taken beforehand: the same roundings, the same bound.
-inline Sign Patches::side_of(std::uint32_t corner, SightlineRef line, const glm::dvec3& normal) {
+Sign Patches::side_of(std::uint32_t corner, SightlineRef line, const glm::dvec3& normal) {
   constexpr double bound = 64 * 0x1p-53;
   Corner& c = corners_[corner];
   if (c.stamp == stamp_) return c.sign;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <glm/geometric.hpp>
+#include <stdexcept>
 
 #include "beam/cells.hpp"
 #include "beam/front_to_back.hpp"
@@ -40,6 +42,7 @@ void Tracer::State::begin(const glm::dvec3& eye) {
   view.table.reset(view.table.planes(), view.scene.grid().point(eye));
   view.fragments.clear();
   view.beams = view.cells = 0;
+  view.left_out = 0;
   engine->begin();
 }
 
@@ -63,13 +66,31 @@ void Tracer::State::finish(TraceStats* stats) const {
   stats->beams = engine->view.beams;
   stats->cells = engine->view.cells;
   stats->fragments = static_cast<std::uint32_t>(engine->view.fragments.fragments.size());
+  stats->left_out = engine->view.left_out;
 }
 
 Tracer::Tracer(const Scene& scene, const Complex& complex)
     : state_(std::make_unique<State>(cells_engine(scene, complex))) {}
-Tracer::Tracer(const BspTree& tree) : state_(std::make_unique<State>(front_to_back_engine(tree))) {}
+Tracer::Tracer(const BspTree& tree, const TraceOptions& options) {
+  if (!(options.min_angle >= 0 && options.min_angle <= 0.01)) {
+    throw std::invalid_argument("min_angle is not between 0 and 0.01");
+  }
+  state_ = std::make_unique<State>(front_to_back_engine(tree, options.min_angle));
+}
 Tracer::Tracer(const Tracer& other) : state_(std::make_unique<State>(other.state_->engine->copy())) {}
 Tracer::~Tracer() = default;
+
+namespace {
+
+/// The part of the window that a solid angle may be. Seen along r = forward + (s - 1/2) right + (t - 1/2) up, the solid
+/// angle of ds dt is |det(forward, right, up)| / |r|^3.
+double part_of_window(const Camera& c, double solid_angle) {
+  const double r = glm::length(c.forward) + (glm::length(c.right) + glm::length(c.up)) / 2;
+  const double bound = 1.001 * solid_angle * (r * r) * r / std::abs(glm::dot(c.forward, glm::cross(c.right, c.up)));
+  return solid_angle == 0 ? 0 : std::min(1.0, bound);
+}
+
+}  // namespace
 
 void Tracer::trace(const Camera& camera, VisibilityMap& map, TraceStats* stats) {
   State& s = *state_;
@@ -80,6 +101,7 @@ void Tracer::trace(const Camera& camera, VisibilityMap& map, TraceStats* stats) 
   s.stitcher.stitch(view.scene, camera, window, border, view.table, view.fragments, map);
   s.finish(stats);
   count(map, stats);
+  if (stats) stats->left_out = part_of_window(camera, stats->left_out);
 }
 
 void Tracer::visible(const Camera& camera, std::vector<PolygonId>& polygons, TraceStats* stats) {
@@ -95,6 +117,7 @@ void Tracer::visible(const Camera& camera, std::vector<PolygonId>& polygons, Tra
   std::sort(polygons.begin(), polygons.end());
   polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
   s.finish(stats);
+  if (stats) stats->left_out = part_of_window(camera, stats->left_out);
 }
 
 void Tracer::trace_sphere(const glm::dvec3& eye, VisibilityMap& map, TraceStats* stats) {

@@ -16,6 +16,14 @@ struct TraceStats {
   std::uint32_t cells = 0;  // cells: distinct cells that a beam entered; front-to-back: nodes visited
   std::uint32_t fragments = 0;
   std::uint32_t faces = 0, edges = 0, vertices = 0;
+  double left_out = 0;  // TraceOptions::min_angle: a proven bound on the part of the window (sphere: steradians)
+};
+
+struct TraceOptions {
+  /// Radians, 0 to 0.01. Parts of the view that lie between two lines closer than this, once all that is nearer has
+  /// been taken out of it, are not followed: nothing is seen in them. TraceStats::left_out bounds how much that is. 0:
+  /// all is followed, and the map exact.
+  double min_angle = 0;
 };
 
 /// Makes visibility maps by one of two engines, which give the same map, to the byte: `front-to-back` on a tree of the
@@ -23,11 +31,12 @@ struct TraceStats {
 ///
 /// Holds the buffers of a sequence of cameras: one tracer a thread. Copies share what was prepared. Scene and complex,
 /// or tree, must outlive it. The eye may be anywhere: inside, outside, on a polygon, edge or vertex.
-/// Errors: std::invalid_argument if the camera's vectors are not finite or not linearly independent.
+/// Errors: std::invalid_argument if the camera's vectors are not finite or not linearly independent, or an option is
+/// out of range.
 class Tracer {
  public:
-  explicit Tracer(const BspTree& tree);                // front-to-back
-  Tracer(const Scene& scene, const Complex& complex);  // cells
+  explicit Tracer(const BspTree& tree, const TraceOptions& options = {});  // front-to-back
+  Tracer(const Scene& scene, const Complex& complex);                      // cells
   Tracer(const Tracer& other);
   ~Tracer();
 

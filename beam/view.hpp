@@ -17,6 +17,7 @@ struct View {
   Regions regions;
   Fragments fragments;
   std::uint32_t beams = 0, cells = 0;
+  double left_out = 0;  // a bound on the solid angle that was not followed
 
   /// Is a surface opaque seen from that side of its plane?
   bool opaque(SurfaceId s, Sign eye_side) const {

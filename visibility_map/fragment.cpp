@@ -8,6 +8,7 @@ void Fragments::clear() {
   corners.clear();
   same.clear();
   seen.clear();
+  origins.clear();
   by_lines_.clear();
 }
 

@@ -43,6 +43,14 @@ struct Fragments {
   std::vector<FragmentCorner> corners;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> same;  // corners known to be one ray; others may be, too
   std::vector<SurfaceId> seen;
+  /// What lines were made of: needed only where fragments that see nothing may lie beside lines that are no edges of
+  /// what is seen there, because a tracer does not follow all beams.
+  struct Origin {
+    SightlineId line;
+    bool edge;            // of two points, else of two planes
+    std::uint32_t of[2];  // PointId or PlaneId
+  };
+  std::vector<Origin> origins;
 
   void clear();
   /// A convex fragment, by its lines in counter-clockwise order: at least 3, each a side of positive length.

@@ -23,6 +23,23 @@ void add_border(State& s, const Run& run) {
   add_part(s, run, EdgeKind::window, none, side);
 }
 
+/// The name of a line where a tracer did not go on: nothing seen beside it needs to have an edge there.
+NameKey origin_name(State& s, SightlineId line) {
+  const auto lowest = [&](PlaneId plane) {
+    Shown shown;
+    for (const Surface& surface : s.scene->surfaces()) {
+      if (surface.plane == plane && surface.polygon < shown.polygon) shown = {surface.polygon, plane};
+    }
+    return shown;
+  };
+  for (const Fragments::Origin& origin : s.fragments->origins) {
+    if (origin.line != line) continue;
+    return origin.edge ? edge_key(origin.of[0], origin.of[1])
+                       : planes_name(s, lowest(origin.of[0]), lowest(origin.of[1]));
+  }
+  throw std::logic_error("stitch: a silhouette on no edge of its polygon");
+}
+
 /// The best name among carriers, else among the diagonals of the polygons (up to two), else that of their planes.
 NameKey name_or_diagonal(State& s, const Run& run, std::vector<Carrier>& carriers, const Shown& a, const Shown& b) {
   NameKey name = best_name(carriers);
@@ -33,7 +50,7 @@ NameKey name_or_diagonal(State& s, const Run& run, std::vector<Carrier>& carrier
   }
   name = best_name(carriers);
   if (name != no_name) return name;
-  if (a.polygon == none || b.polygon == none) throw std::logic_error("stitch: a silhouette on no edge of its polygon");
+  if (a.polygon == none || b.polygon == none) return origin_name(s, run.stretch.line);
   return planes_name(s, a, b);
 }
 

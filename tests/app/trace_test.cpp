@@ -136,6 +136,20 @@ TEST(Trace, AFailingCameraLeavesTheOthers) {
   EXPECT_FALSE(report["cameras"][2].contains("error"));
 }
 
+TEST(Trace, WhatIsLeftOutIsReported) {
+  const auto folder = fresh_folder("min_angle");
+  ASSERT_EQ(run(folder, {"model", "rooms", "--rotate", "17", "-o", "m.obj"}).code, 0);
+  for (const char* angle : {"0", "1e-3"}) {
+    const Ended ended = run(
+        folder, {"trace", "m.obj", "--cameras", "m.cameras", "-o", "maps", "--min-angle", angle, "--report", "r.json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    double left_out = 0;
+    const Json report = Json::parse(read(folder / "r.json"));
+    for (const Json& camera : report.at("cameras")) left_out += camera.at("left_out").get<double>();
+    EXPECT_EQ(left_out > 0, std::string(angle) != "0");
+  }
+}
+
 TEST(Trace, SnapIsReported) {
   const auto folder = fresh_folder("snap");
   write(folder / "s.obj", "v 0.1 0 0\nv 1.1 0 0\nv 1.1 1 0\nv 0.1 1.2 0\nf 1 2 3 4\n");
