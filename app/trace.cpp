@@ -30,6 +30,7 @@ struct TraceCommand {
   std::filesystem::path input, cameras, folder;
   std::string formats = "map";
   double min_angle = 0;
+  std::vector<double> window;  // low s, low t, high s, high t
 };
 
 /// The names between the commas.
@@ -145,8 +146,16 @@ int trace_cameras(TraceCommand& command) {
     throw UsageError("--min-angle: not with --engine cells, which follows all beams");
   }
   const Stopwatch watch;
-  const std::vector<Camera> cameras = read_cameras(command.cameras);
+  std::vector<Camera> cameras = read_cameras(command.cameras);
   if (cameras.empty()) throw InputError(command.cameras.string() + ": no camera in it");
+  if (!command.window.empty()) {
+    const auto& w = command.window;
+    try {
+      for (Camera& camera : cameras) camera = crop(camera, {w[0], w[1]}, {w[2], w[3]});
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(std::string("--window: ") + error.what());
+    }
+  }
   Input input = read_input(command.input, command.common);
   make_folder(command.folder);
   tell(describe(input.scene), command.common.quiet);
@@ -195,6 +204,11 @@ void add_trace_command(CLI::App& root, Run& run) {
   sub->add_option("--format", command->formats, "What to write: map, svg, png, pdf, csv")
       ->type_name("LIST")
       ->capture_default_str();
+  sub->add_option("--window", command->window,
+                  "Only this part of every camera's window, in multiples of 2^-20: low s, low t, high s, high t")
+      ->expected(4)
+      ->delimiter(',')
+      ->type_name("S0,T0,S1,T1");
   sub->add_option("--min-angle", command->min_angle,
                   "Radians: what is narrower is not followed; the report bounds what that leaves out. 0: exact")
       ->type_name("A")

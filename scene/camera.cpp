@@ -57,4 +57,37 @@ Camera make_camera(const glm::dvec3& eye, const glm::dvec3& forward, const glm::
   return {eye, short_vector(ahead), short_vector(right * (height * aspect)), short_vector(upright * height)};
 }
 
+namespace {
+
+double exact_product(double a, double b) {
+  const double p = a * b;
+  if (!std::isfinite(p) || std::fma(a, b, -p) != 0)
+    throw std::invalid_argument("a part of the window that is no double");
+  return p;
+}
+/// (What Knuth's sum leaves is the error, exactly.)
+double exact_sum(double a, double b) {
+  const double s = a + b, t = s - a;
+  if (!std::isfinite(s) || (a - (s - t)) + (b - t) != 0) {
+    throw std::invalid_argument("a part of the window that is no double");
+  }
+  return s;
+}
+
+}  // namespace
+
+Camera crop(const Camera& camera, const glm::dvec2& low, const glm::dvec2& high) {
+  if (!(low.x < high.x && low.y < high.y)) throw std::invalid_argument("an empty part of the window");
+  Camera part{camera.eye, camera.forward, camera.right, camera.up};
+  const double width = exact_sum(high.x, -low.x), height = exact_sum(high.y, -low.y);
+  const double s = exact_sum(exact_sum(low.x, high.x) / 2, -0.5), t = exact_sum(exact_sum(low.y, high.y) / 2, -0.5);
+  for (int k = 0; k < 3; ++k) {
+    const double aside = exact_sum(exact_product(s, camera.right[k]), exact_product(t, camera.up[k]));
+    part.forward[k] = exact_sum(camera.forward[k], aside);
+    part.right[k] = exact_product(width, camera.right[k]);
+    part.up[k] = exact_product(height, camera.up[k]);
+  }
+  return part;
+}
+
 }  // namespace sightline

@@ -1,6 +1,7 @@
 // Cameras: exact from here on.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 
@@ -21,5 +22,10 @@ struct Camera {
 /// wrong (vector zero or not finite, up along forward, angle not within (0, 180), aspect not positive).
 Camera make_camera(const glm::dvec3& eye, const glm::dvec3& forward, const glm::dvec3& up, double vertical_fov_degrees,
                    double aspect);
+
+/// The camera that has a part of another's window, from `low` to `high` in its (s,t), for its own; the part may reach
+/// beyond the window. Not rounded: throws std::invalid_argument where the part is empty, or a sum is no double, which
+/// it is for cameras of make_camera and parts in multiples of 2^-20.
+Camera crop(const Camera& camera, const glm::dvec2& low, const glm::dvec2& high);
 
 }  // namespace sightline

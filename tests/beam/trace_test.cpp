@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 #include <set>
@@ -102,6 +103,28 @@ TEST(Trace, AreasOfTheWindowAddUp) {
 }
 
 // The six faces of a cube around the eye see together what the sphere sees, under the same solid angles.
+TEST(Trace, AWindowIsTheSumOfItsParts) {
+  const Model model = make_model("city", {.polygons = 400});
+  const Scene scene = make_scene(model.soup);
+  const BspTree tree(scene);
+  Tracer tracer(tree);
+  for (std::size_t k = 0; k < model.cameras.size(); k += 20) {
+    const auto& c = model.cameras[k];
+    const Camera camera = make_camera(c.eye, c.forward, c.up, c.vertical_fov_degrees, c.aspect);
+    VisibilityMap map;
+    std::map<PolygonId, double> sum;
+    tracer.trace(camera, map);
+    for (const MapFace& face : map.faces) sum[face.polygon] += face.area;
+    for (const glm::dvec2& low : {glm::dvec2{0, 0}, {0.375, 0}, {0, 0.25}, {0.375, 0.25}}) {
+      const glm::dvec2 high{low.x == 0 ? 0.375 : 1, low.y == 0 ? 0.25 : 1};
+      tracer.trace(crop(camera, low, high), map);
+      const double part = (high.x - low.x) * (high.y - low.y);
+      for (const MapFace& face : map.faces) sum[face.polygon] -= face.area * part;
+    }
+    for (const auto& [polygon, left] : sum) EXPECT_NEAR(left, 0, 1e-12) << polygon;
+  }
+}
+
 TEST(Trace, SphereIsTheSumOfSixWindows) {
   std::mt19937_64 random(5);
   for (int round = 0; round < 12; ++round) {

@@ -1,7 +1,9 @@
 #include "scene/camera.hpp"
 
 #include <gtest/gtest.h>
+
 #include <rapidcheck/gtest.h>
+#include <limits>
 
 #include <algorithm>
 #include <cmath>
@@ -85,6 +87,30 @@ TEST(MakeCamera, RefusesWhatIsNoCamera) {
   for (const double aspect : {0.0, -1.0, nan, inf, 1e300, 1e-300}) {
     EXPECT_THROW(make(o, y, z, 60, aspect)(), std::invalid_argument) << aspect;
   }
+}
+
+TEST(Camera, APartOfTheWindowIsSeenAlongTheSameRays) {
+  const Camera camera = make_camera({1, 2, 3}, {0.3, 1, -0.2}, {0, 0, 1}, 60, 1.5);
+  const Camera part = crop(camera, {0.25, 0.5}, {0.625, 1.25});
+  const auto ray = [](const Camera& c, double s, double t) {
+    return c.forward + (s - 0.5) * c.right + (t - 0.5) * c.up;
+  };
+  EXPECT_EQ(part.eye, camera.eye);
+  EXPECT_EQ(ray(part, 0, 0), ray(camera, 0.25, 0.5));
+  EXPECT_EQ(ray(part, 1, 0), ray(camera, 0.625, 0.5));
+  EXPECT_EQ(ray(part, 0, 1), ray(camera, 0.25, 1.25));
+  const Camera whole = crop(camera, {0, 0}, {1, 1});
+  EXPECT_EQ(whole.forward, camera.forward);
+  EXPECT_EQ(whole.right, camera.right);
+  EXPECT_EQ(whole.up, camera.up);
+}
+
+TEST(Camera, APartOfTheWindowIsNeverRounded) {
+  const Camera camera = make_camera({1, 2, 3}, {0.3, 1, -0.2}, {0, 0, 1}, 60, 1.5);
+  EXPECT_THROW(crop(camera, {0.1, 0}, {0.7, 1}), std::invalid_argument);
+  EXPECT_THROW(crop(camera, {0.5, 0}, {0.5, 1}), std::invalid_argument);
+  EXPECT_THROW(crop(camera, {0, 0}, {1, std::numeric_limits<double>::infinity()}), std::invalid_argument);
+  EXPECT_THROW(crop(camera, {0, std::numeric_limits<double>::quiet_NaN()}, {1, 1}), std::invalid_argument);
 }
 
 }  // namespace
