@@ -101,9 +101,37 @@ Sign clear_sign(const Fixed<W>& a, int bit) {
 
 }  // namespace
 
+// Coordinates and differences of one word, as most scenes have.
+SightlineRef SightlineTable::make_of_short_points(PointId a, PointId b) {
+  const PointTable& points = planes_->points();
+  const std::uint64_t *const e = exact_eye_.words.data(), *const wa = points.words(a), *const wb = points.words(b);
+  const int shift = exact_eye_.shift;
+  std::int64_t p[3], q[3];
+  for (int k = 0; k < 3; ++k) {
+    p[k] = static_cast<std::int64_t>((wa[k] << shift) - e[k]);
+    q[k] = static_cast<std::int64_t>((wb[k] << shift) - e[k]);
+  }
+  // Edges along an axis, as in axis_cross.
+  const bool x = p[0] == q[0], y = p[1] == q[1], z = p[2] == q[2];
+  if (x + y + z == 2) {
+    const int k = !x ? 0 : !y ? 1 : 2, k1 = k == 2 ? 0 : k + 1, k2 = k == 0 ? 2 : k - 1;
+    const bool up = q[k] > p[k];
+    std::array<__int128, 3> n{};
+    n[static_cast<std::size_t>(k1)] = up ? p[k2] : -p[k2];
+    n[static_cast<std::size_t>(k2)] = up ? -p[k1] : p[k1];
+    return intern(n);
+  }
+  // Below 2^126, their differences below 2^127.
+  const auto minor = [&](int i, int j) {
+    return static_cast<__int128>(p[i]) * q[j] - static_cast<__int128>(p[j]) * q[i];
+  };
+  return intern({minor(1, 2), minor(2, 0), minor(0, 1)});
+}
+
 SightlineRef SightlineTable::make_of_points(PointId a, PointId b) {
-  const auto take = [&](std::uint64_t* words, std::uint32_t stride) { return intern(words, stride); };
   const int bits = exact_eye_.difference_bits;
+  if (bits < 64 && exact_eye_.stride == 1 && planes_->points().stride() == 1) return make_of_short_points(a, b);
+  const auto take = [&](std::uint64_t* words, std::uint32_t stride) { return intern(words, stride); };
   // The difference of two products of differences.
   return at_width(2 * bits + 1, [&](auto width) {
     constexpr int W = width();
@@ -192,17 +220,54 @@ SightlineRef SightlineTable::intern(std::uint64_t* words, std::uint32_t stride) 
   const std::uint32_t tight = words_for(bits);
   for (std::uint32_t k = 1; tight != stride && k < 3; ++k)
     std::copy(words + k * stride, words + k * stride + tight, words + k * tight);
-  glm::dvec3 approx;
-  if (tight == 2) {
-    // A conversion rounds once; a factor of 2^-127 at most is exact.
-    const double power = std::bit_cast<double>(std::uint64_t{1023 - bits} << 52);
-    for (int k = 0; k < 3; ++k)
-      approx[k] = static_cast<double>(fixed_detail::to_int128({words[2 * k], words[2 * k + 1]})) * power;
-  } else {
-    for (std::uint32_t k = 0; k < 3; ++k)
-      approx[static_cast<int>(k)] = words_to_double(words + k * tight, tight, -static_cast<int>(bits));
+  Normal n{words, bits, {}, {}};
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    n.sign[k] = sign_of_words(words + k * tight, tight);
+    n.approx[static_cast<int>(k)] = words_to_double(words + k * tight, tight, -static_cast<int>(bits));
   }
-  return find_or_add(words, bits, approx);
+  return find_or_add(n);
+}
+
+// The same for normals of up to 127 bits, in registers.
+SightlineRef SightlineTable::intern(const std::array<__int128, 3>& n) {
+  std::uint64_t low[3], high[3];
+  unsigned __int128 longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    low[k] = static_cast<std::uint64_t>(n[k]);
+    high[k] = static_cast<std::uint64_t>(n[k] >> 64);
+    longest |= static_cast<unsigned __int128>(n[k] < 0 ? -n[k] : n[k]);
+  }
+  if (longest == 0) return {};
+  // The magnitudes laid over each other are as long as the longest and have the common factors of two.
+  const auto below = static_cast<std::uint64_t>(longest), above = static_cast<std::uint64_t>(longest >> 64);
+  const int twos = below == 0 ? 0 : std::countr_zero(below);
+  if (twos > 0) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = (low[k] >> twos) | (high[k] << (64 - twos));
+      high[k] = static_cast<std::uint64_t>(static_cast<std::int64_t>(high[k]) >> twos);
+    }
+  }
+  const int bits =
+      (above != 0 ? 64 + static_cast<int>(std::bit_width(above)) : static_cast<int>(std::bit_width(below))) - twos;
+  const auto short_words = bits < 64;
+  std::uint64_t words[6];
+  Normal made{words, static_cast<std::uint32_t>(bits), {}, {}};
+  // One word: the conversion rounds once, by 2^-54 at most. Two: what the upper 63 bits leave out, less than 2^-63, is
+  // below what the promise of approx() has left.
+  const double power = short_words ? std::bit_cast<double>(static_cast<std::uint64_t>(1023 - bits) << 52) : 0x1p-63;
+  for (int k = 0; k < 3; ++k) {
+    std::uint64_t top = low[k];
+    if (short_words) {
+      words[k] = low[k];
+    } else {
+      words[2 * k] = low[k];
+      words[2 * k + 1] = high[k];
+      top = (high[k] << (127 - bits)) | (low[k] >> 1 >> (bits - 64));
+    }
+    made.approx[k] = static_cast<double>(static_cast<std::int64_t>(top)) * power;
+    made.sign[k] = static_cast<std::int64_t>(high[k]) < 0 ? -1 : (low[k] | high[k]) != 0;
+  }
+  return find_or_add(made);
 }
 
 Sign SightlineTable::exact_eye_side(PlaneId p) const {

@@ -41,9 +41,8 @@ void SightlineTable::reset(const PlaneTable& planes, const GridPoint& eye) {
     e.reach = std::max(e.reach, std::abs(x));
   }
   e.difference_bits = std::max(points.bits() + eye.shift, e.bits) + 1;
-  words_.clear();
+  used_ = 0;
   line_.clear();
-  approx_.clear();
   by_direction_.clear();
   by_points_.clear();
   by_planes_.clear();
@@ -56,68 +55,43 @@ void SightlineTable::reset(const PlaneTable& planes, const GridPoint& eye) {
 SightlineRef SightlineTable::of_points(PointId a, PointId b) {
   const bool swapped = b < a;
   if (swapped) std::swap(a, b);
-  SightlineRef found;
-  const std::uint64_t key = pair_key(a, b);
-  const auto take = [&](std::uint32_t w) {
-    found = unpacked(w);
-    return true;
-  };
-  if (!by_points_.find(key, take)) {
-    found = make_of_points(a, b);
-    by_points_.insert(key, packed(found));
-  }
+  const SightlineRef found = unpacked(by_points_.get(pair_key(a, b), [&] {
+    const SightlineRef made = make_of_points(a, b);
+    if (made.id != none && line_[made.id].a == none) {
+      line_[made.id].a = a;
+      line_[made.id].b = b;
+    }
+    return packed(made);
+  }));
   return swapped && found.id != none ? -found : found;
 }
 
 SightlineRef SightlineTable::of_planes(PlaneId p, PlaneId q) {
   const bool swapped = q < p;
   if (swapped) std::swap(p, q);
-  SightlineRef found;
-  const std::uint64_t key = pair_key(p, q);
-  const auto take = [&](std::uint32_t w) {
-    found = unpacked(w);
-    return true;
-  };
-  if (!by_planes_.find(key, take)) {
-    found = make_of_planes(p, q);
-    by_planes_.insert(key, packed(found));
-  }
+  const SightlineRef found = unpacked(by_planes_.get(pair_key(p, q), [&] { return packed(make_of_planes(p, q)); }));
   return swapped && found.id != none ? -found : found;
 }
 
 namespace {
 
-// Signs of three components: of the exact words, or, where no rounding can have made a zero of one, of the doubles.
-struct Signs {
-  Sign of[3];
-  Sign leading;  // the first that is not zero: equal lines differ by a factor, and this fixes its sign
-  Signs(const std::uint64_t* words, std::uint32_t stride, const glm::dvec3& approx) {
-    for (int k = 0; k < 3; ++k) {
-      of[k] = stride < 16 ? (approx[k] > 0) - (approx[k] < 0)
-                          : sign_of_words(words + static_cast<std::uint32_t>(k) * stride, stride);
-    }
-    leading = of[0] != 0 ? of[0] : of[1] != 0 ? of[1] : of[2];
-  }
-};
-
 // The direction (up to sign) in fixed point, as cells of a grid over two coordinates, with the exact signs of the
-// components. x / |x|_1 of equal lines differ by rounding only: the components are within 2^-54 of the exact ones,
-// |x|_1 >= 1/2, so each quotient is within 2 (2^-54 + 3 2^-54) + 3 2^-53 < 2^-50 of the exact one, and two of them
-// within 2^-49: half a step of the fixed point 2^-48, at most 1 after truncation, 2 with room.
+// components. x / |x|_1 of equal lines differ by rounding only: the components are within 2^-53 of the exact ones,
+// |x|_1 >= 1/2, so each quotient is within 2 (2^-53 + 3 2^-53) + 3 2^-53 = 11 2^-53 of the exact one, and two of them
+// within 22 2^-53 < 2^-48: less than a step of the fixed point 2^-48, at most 1 after truncation, 2 with room.
 struct DirectionKey {
   static constexpr double scale = 0x1p48;
   static constexpr int cell = 16;  // bits of fixed point inside a cell
   std::int64_t s, t;               // fixed point
   std::uint64_t signs;
 
-  DirectionKey(const Signs& sign, const glm::dvec3& approx) {
+  DirectionKey(const Sign* sign, Sign leading, const glm::dvec3& approx) {
     const double norm = std::abs(approx.x) + std::abs(approx.y) + std::abs(approx.z);
-    const double f = sign.leading * scale / norm;
+    const double f = leading * scale / norm;
     // Cell borders are moved away from the simple fractions that models are full of.
     s = static_cast<std::int64_t>(f * approx.x) + 0x5a3d;
     t = static_cast<std::int64_t>(f * approx.y) + 0x3c69;
-    signs = 0;
-    for (const Sign k : sign.of) signs = 3 * signs + static_cast<std::uint64_t>(sign.leading * k + 1);
+    signs = static_cast<std::uint64_t>(13 + leading * (9 * sign[0] + 3 * sign[1] + sign[2]));
   }
   std::uint64_t key(std::int64_t cell_s, std::int64_t cell_t) const {
     return (static_cast<std::uint64_t>(cell_s) * 0x9e3779b97f4a7c15u ^ static_cast<std::uint64_t>(cell_t)) *
@@ -128,40 +102,38 @@ struct DirectionKey {
 
 }  // namespace
 
-SightlineRef SightlineTable::find_or_add(const std::uint64_t* words, std::uint32_t bits, const glm::dvec3& approx) {
-  const std::uint32_t stride = words_for(bits);
-  const Signs signs(words, stride, approx);
-  const DirectionKey d(signs, approx);
+SightlineRef SightlineTable::find_or_add(const Normal& n) {
+  const Sign leading = n.sign[0] != 0 ? n.sign[0] : n.sign[1] != 0 ? n.sign[1] : n.sign[2];
+  const DirectionKey d(n.sign, leading, n.approx);
   constexpr std::int64_t slack = 2;
   const std::int64_t s0 = (d.s - slack) >> d.cell, s1 = (d.s + slack) >> d.cell;
   const std::int64_t t0 = (d.t - slack) >> d.cell, t1 = (d.t + slack) >> d.cell;
   SightlineId found = none;
   const auto same = [&](SightlineId id) {
-    if (!same_line(id, words, bits, approx)) return false;
+    if (!same_line(id, n)) return false;
     found = id;
     return true;
   };
   for (std::int64_t s = s0; s <= s1 && found == none; ++s)
     for (std::int64_t t = t0; t <= t1 && found == none; ++t) by_direction_.find(d.key(s, t), same);
-  if (found != none) {
-    const Line& line = line_[found];
-    return {found, signs.leading * Signs(words_.data() + line.first, words_for(line.bits), approx_[found]).leading};
-  }
+  if (found != none) return {found, leading * line_[found].leading};
   const SightlineId id = size();
   by_direction_.insert(d.key(d.s >> d.cell, d.t >> d.cell), id);
-  line_.push_back({words_.size(), bits});
-  words_.insert(words_.end(), words, words + std::size_t{3} * stride);
-  approx_.push_back(approx);
+  const std::size_t count = std::size_t{3} * words_for(n.bits);
+  if (used_ + count > words_.size()) words_.resize(2 * words_.size() + count + 256);
+  std::uint64_t* const to = words_.data() + used_;
+  for (std::size_t k = 0; k < count; ++k) to[k] = n.words[k];
+  line_.push_back({n.approx, used_, n.bits, leading, none, none});
+  used_ += count;
   return {id, 1};
 }
 
-bool SightlineTable::same_line(SightlineId id, const std::uint64_t* words, std::uint32_t bits,
-                               const glm::dvec3& approx) const {
+bool SightlineTable::same_line(SightlineId id, const Normal& n) const {
   const Line& line = line_[id];
-  const std::uint64_t* const other = words_.data() + line.first;
-  const std::uint32_t stride = words_for(bits), other_stride = words_for(line.bits);
+  const std::uint64_t *const words = n.words, *const other = words_.data() + line.first;
+  const std::uint32_t bits = n.bits, stride = words_for(bits), other_stride = words_for(line.bits);
   if (bits == line.bits && std::equal(words, words + std::size_t{3} * stride, other)) return true;
-  const glm::dvec3& o = approx_[id];
+  const glm::dvec3 &o = line.approx, &approx = n.approx;
   constexpr double bound = 16 * u;  // as in parallel() of planes
   if (std::abs(o.y * approx.z - o.z * approx.y) > bound || std::abs(o.z * approx.x - o.x * approx.z) > bound ||
       std::abs(o.x * approx.y - o.y * approx.x) > bound)
@@ -169,8 +141,8 @@ bool SightlineTable::same_line(SightlineId id, const std::uint64_t* words, std::
   return at_width(static_cast<int>(bits + line.bits) + 1, [&](auto width) {
     constexpr int W = width();
     return narrowed<W>(static_cast<int>(bits), static_cast<int>(line.bits), [&]<int N, int M>(Words<N>, Words<M>) {
-      const Wide3<W> n = cross<W, N>(load3<N>(words, stride), load3<N>(other, other_stride));
-      return sign_of<W>(n[0]) == 0 && sign_of<W>(n[1]) == 0 && sign_of<W>(n[2]) == 0;
+      const Wide3<W> c = cross<W, N>(load3<N>(words, stride), load3<N>(other, other_stride));
+      return sign_of<W>(c[0]) == 0 && sign_of<W>(c[1]) == 0 && sign_of<W>(c[2]) == 0;
     });
   });
 }

@@ -54,7 +54,7 @@ class SightlineTable {
       ++tally().identity;
       return 0;
     }
-    const Sign s = filter_order(approx_[a.id], approx_[b.id], approx_[c.id]);
+    const Sign s = filter_order(approx(a.id), approx(b.id), approx(c.id));
     if (s == uncertain) [[unlikely]]
       return a.sign * b.sign * c.sign * exact_order(a.id, b.id, c.id);
     ++tally().filter;
@@ -64,21 +64,30 @@ class SightlineTable {
   Sign side(SightlineRef a, PointId p) {
     // The difference point - eye: |.| <= E + 1, within u (2E + 2) with its own rounding; with the normal's u:
     // 3 (3E + 3) u; products 3 (E + 1) u, sums 5 (E + 1) u: 17 u (E + 1), u = 2^-53.
-    const glm::dvec3 &n = approx_[a.id], &at = planes_->points().approx(p), &eye = exact_eye_.approx;
+    const glm::dvec3 &n = approx(a.id), &at = planes_->points().approx(p), &eye = exact_eye_.approx;
     const double value = n.x * (at.x - eye.x) + n.y * (at.y - eye.y) + n.z * (at.z - eye.z);
     const double bound = 24 * 0x1p-53 * (exact_eye_.reach + 1);
     if (value > bound || value < -bound) {
       ++tally().filter;
       return value > 0 ? a.sign : -a.sign;
     }
+    if (holds(a.id, p)) {
+      ++tally().identity;
+      return 0;
+    }
     return exact_side(a, p);
   }
   /// Is the point p in the eye?
   bool is_eye(PointId p) const;
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(approx_.size()); }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(line_.size()); }
   /// The canonical normal scaled by a power of two to largest component in [1/2, 1], each component within 2^-53.
-  const glm::dvec3& approx(SightlineId id) const { return approx_[id]; }
+  const glm::dvec3& approx(SightlineId id) const { return line_[id].approx; }
+  /// Two points that are seen on the line, of those that it was made of; none if it was made of no points.
+  PointId first_point(SightlineId id) const { return line_[id].a; }
+  PointId second_point(SightlineId id) const { return line_[id].b; }
+  /// By identity: is p one of them?
+  bool holds(SightlineId id, PointId p) const { return line_[id].a == p || line_[id].b == p; }
   std::array<Integer, 3> normal(SightlineId id) const;
   /// The ray N_a x N_b of two different lines' canonical normals, however close these are: scaled by a power of two to
   /// largest component in [1/2, 1], each within 2^-53.
@@ -94,8 +103,18 @@ class SightlineTable {
 
  private:
   struct Line {
-    std::uint64_t first;
+    glm::dvec3 approx;
+    std::uint64_t first;  // into words_
     std::uint32_t bits;
+    Sign leading;  // of the first component that is not zero
+    PointId a, b;
+  };
+  /// A normal about to be looked for: words_for(bits) words a component, exact signs, and what approx() promises.
+  struct Normal {
+    const std::uint64_t* words;
+    std::uint32_t bits;
+    Sign sign[3];
+    glm::dvec3 approx;
   };
   /// The eye's coordinates, at hand for exact arithmetic.
   struct Eye {
@@ -107,9 +126,11 @@ class SightlineTable {
     double reach = 0;         // the largest of their magnitudes
   };
   SightlineRef intern(std::uint64_t* words, std::uint32_t stride);
-  SightlineRef find_or_add(const std::uint64_t* words, std::uint32_t bits, const glm::dvec3& approx);
-  bool same_line(SightlineId id, const std::uint64_t* words, std::uint32_t bits, const glm::dvec3& approx) const;
+  SightlineRef intern(const std::array<__int128, 3>& n);
+  SightlineRef find_or_add(const Normal& n);
+  bool same_line(SightlineId id, const Normal& n) const;
   SightlineRef make_of_points(PointId a, PointId b);
+  SightlineRef make_of_short_points(PointId a, PointId b);
   SightlineRef make_of_planes(PlaneId p, PlaneId q);
   Sign exact_eye_side(PlaneId p) const;
   Sign exact_side(SightlineRef a, PointId p) const;
@@ -120,9 +141,9 @@ class SightlineTable {
   Eye exact_eye_;
   std::vector<std::uint64_t> scratch_;
 
-  std::vector<std::uint64_t> words_;
+  std::vector<std::uint64_t> words_;  // filled up to used_
+  std::size_t used_ = 0;
   std::vector<Line> line_;
-  std::vector<glm::dvec3> approx_;
   StampedMap by_direction_, by_points_, by_planes_;
   std::vector<std::uint32_t> side_stamp_;
   std::vector<std::int8_t> side_;

@@ -28,6 +28,21 @@ class StampedMap {
     }
   }
 
+  /// The value of the key; if it has none, that of make(), which must leave the map alone, and from now on the key has
+  /// it.
+  template <class Make>
+  std::uint32_t get(std::uint64_t key, Make&& make) {
+    if (2 * (count_ + 1) > slots_.size()) grow();
+    std::size_t i = place(key);
+    for (; slots_[i].stamp == stamp_; i = (i + 1) & (slots_.size() - 1)) {
+      if (slots_[i].key == key) return slots_[i].value;
+    }
+    const std::uint32_t value = make();
+    slots_[i] = {key, value, stamp_};
+    ++count_;
+    return value;
+  }
+
   void insert(std::uint64_t key, std::uint32_t value) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     put({key, value, stamp_});

@@ -24,17 +24,9 @@ bool same_window(const Camera& a, const Camera& b) {
   return a.forward == b.forward && a.right == b.right && a.up == b.up;
 }
 
-/// The eye in unit coordinates, each within 2^-52 of its size (mpz_get_d_2exp truncates).
 void set_eye(stitching::State& s) {
-  const GridPoint& eye = s.table->eye();
-  const int shift = eye.shift + s.scene->grid().unit_bits();
-  s.scale = 1;
-  for (int k = 0; k < 3; ++k) {
-    long exponent = 0;
-    const double part = mpz_get_d_2exp(&exponent, eye.c[static_cast<std::size_t>(k)].get_mpz_t());
-    s.eye[k] = std::ldexp(part, static_cast<int>(exponent) - shift);
-    s.scale = std::max(s.scale, std::abs(s.eye[k]));
-  }
+  s.eye = s.table->eye_approx();
+  s.scale = std::max({1.0, std::abs(s.eye.x), std::abs(s.eye.y), std::abs(s.eye.z)});
 }
 
 void run(stitching::State& s, VisibilityMap& map) {
@@ -77,7 +69,7 @@ void Stitcher::stitch(const Scene& scene, const Camera& camera, const Window& wi
   std::copy(border.begin(), border.end(), s.border);
   const glm::dvec3& f = camera.forward;
   s.ahead = f / std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
-  set_axes(s);
+  set_frame(s);
   map.camera = camera;
   map.sphere = false;
   run(s, map);

@@ -25,9 +25,9 @@ void collect_vertices(State& s) {
 
 /// Places are compared as doubles first: a canonical order, and exact where it matters, since rounding is monotone.
 void order_vertices(State& s) {
+  place_vertices(s);
   s.vertex_order.resize(s.vertices.size());
   for (std::uint32_t k = 0; k < s.vertices.size(); ++k) {
-    place_vertex(s, s.vertices[k]);
     s.vertex_order[k] = {s.camera ? s.vertices[k].st.x : s.vertices[k].direction.x, k};
   }
   const auto below = [&](const VertexDraft& a, const VertexDraft& b) {

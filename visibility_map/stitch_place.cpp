@@ -10,14 +10,6 @@
 namespace sightline::stitching {
 namespace {
 
-Twofold3 cross(const Twofold3& a, const Twofold3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Twofold dot(const Twofold3& a, const Twofold3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Twofold3 exact_cross(const glm::dvec3& a, const glm::dvec3& b) {
-  return cross({{a.x, 0}, {a.y, 0}, {a.z, 0}}, {{b.x, 0}, {b.y, 0}, {b.z, 0}});
-}
-
 /// Two's complement words times 2^-bits, |.| <= 1, rounded down to a multiple of 2^-106.
 Twofold from_words(const std::uint64_t* words, std::uint32_t count, std::uint32_t bits) {
   // The words at and above bit `bits - 106`, as one number of at most 107 bits and a sign.
@@ -36,16 +28,74 @@ Twofold from_words(const std::uint64_t* words, std::uint32_t count, std::uint32_
   // Upper and lower part of 53 bits; the upper one keeps the sign.
   const auto upper = static_cast<std::int64_t>(part[1] << 11 | part[0] >> 53);
   const std::uint64_t lower = part[0] & ((std::uint64_t{1} << 53) - 1);
-  return two_sum(static_cast<double>(upper) * 0x1p-53, static_cast<double>(lower) * 0x1p-106);
+  return fast_sum(static_cast<double>(upper) * 0x1p-53,
+                  static_cast<double>(static_cast<std::int64_t>(lower)) * 0x1p-106);
 }
-Twofold3 normal(const SightlineTable& table, SightlineId id) {
-  const std::uint32_t bits = table.bits(id), count = words_for(bits);
-  const std::uint64_t* w = table.words(id);
+
+/// The same of one word, which loses nothing, and of two; both halves of what is summed are exact.
+[[gnu::always_inline]] inline Twofold from_word(std::uint64_t word, double power) {
+  const auto x = static_cast<std::int64_t>(word);
+  return fast_sum(static_cast<double>(x >> 10) * (0x1p10 * power), static_cast<double>(x & 1023) * power);
+}
+[[gnu::always_inline]] inline Twofold from_two_words(std::uint64_t low, std::uint64_t high, std::uint32_t bits) {
+  // Moved up, so that the sign is followed by the first bit.
+  const std::uint64_t top = (high << (127 - bits)) | (low >> 1 >> (bits - 64)), rest = low << (127 - bits);
+  const auto upper = static_cast<std::int64_t>(top) >> 10;
+  const auto lower = static_cast<std::int64_t>((top & 1023) << 43 | rest >> 21);
+  return fast_sum(static_cast<double>(upper) * 0x1p-53, static_cast<double>(lower) * 0x1p-106);
+}
+
+struct Normal {
+  Twofold x, y, z;
+};
+[[gnu::always_inline]] inline Normal normal(const SightlineTable& table, SightlineId id) {
+  const std::uint32_t bits = table.bits(id);
+  const std::uint64_t* const w = table.words(id);
+  if (bits < 64) {
+    const auto power = std::bit_cast<double>(std::uint64_t{1023 - bits} << 52);
+    return {from_word(w[0], power), from_word(w[1], power), from_word(w[2], power)};
+  }
+  if (bits < 128) {
+    return {from_two_words(w[0], w[1], bits), from_two_words(w[2], w[3], bits), from_two_words(w[4], w[5], bits)};
+  }
+  const std::uint32_t count = words_for(bits);
   return {from_words(w, count, bits), from_words(w + count, count, bits), from_words(w + 2 * count, count, bits)};
 }
 
+/// With u = 2^-53, v = u^2, F the largest component of f: normals are at most 1, within v. Products and the sums of
+/// their upper parts lose nothing; what they leave is at most 3 (1 + 1) uF and (2 + 3) uF, 11 uF in all, and is put
+/// together with three products and seven sums: 3 vF + 77 vF. With the data's 3 vF: within 96 vF.
+template <bool fused>
+[[gnu::always_inline]] inline Twofold dot(const Normal& n, const glm::dvec3& f) {
+  const Twofold x = two_product<fused>(n.x.high, f.x), y = two_product<fused>(n.y.high, f.y),
+                z = two_product<fused>(n.z.high, f.z);
+  const Twofold xy = two_sum(x.high, y.high), xyz = two_sum(xy.high, z.high);
+  const double low = (x.low + n.x.low * f.x) + (y.low + n.y.low * f.y) + (z.low + n.z.low * f.z);
+  return two_sum(xyz.high, low + (xy.low + xyz.low));
+}
+
+/// a b - c d. Where neither product is above D: what the upper parts leave is 2 uD + 2 uD, the four products of an
+/// upper and a lower part uD each, 8 uD in all, put together with four products and seven sums: 4 vD + 56 vD; two
+/// products of lower parts are left out: within 64 vD.
+template <bool fused>
+[[gnu::always_inline]] inline Twofold minor(const Twofold& a, const Twofold& b, const Twofold& c, const Twofold& d) {
+  const Twofold p = two_product<fused>(a.high, b.high), q = two_product<fused>(c.high, d.high);
+  const Twofold s = two_sum(p.high, -q.high);
+  const double low = (a.high * b.low + a.low * b.high) - (c.high * d.low + c.low * d.high);
+  return two_sum(s.high, s.low + ((p.low - q.low) + low));
+}
+
+/// a / b, within 2^-100 of it: the difference from the first quotient's product is exact in its upper part (Sterbenz),
+/// at most 5 u |a| in all, and four roundings of that, and of its quotient, are below 64 v.
+template <bool fused>
+[[gnu::always_inline]] inline Twofold quotient(const Twofold& a, const Twofold& b) {
+  const double first = a.high / b.high;
+  const Twofold p = two_product<fused>(first, b.high);
+  return fast_sum(first, (((a.high - p.high) - p.low) + (a.low - first * b.low)) / b.high);
+}
+
 /// The double nearest to 1/2 + q, q within `error`; NaN where that leaves a choice.
-double nearest(const Twofold& q, double error) {
+[[gnu::always_inline]] inline double nearest(const Twofold& q, double error) {
   const Twofold half = two_sum(0.5, q.high);
   const Twofold value = fast_sum(half.high, half.low + q.low);
   if (!(value.high > 0x1p-40 && value.high < 2)) return NAN;
@@ -53,22 +103,60 @@ double nearest(const Twofold& q, double error) {
   return std::abs(value.low) + error + 0x1p-104 < (value.high - below) / 2 ? value.high : NAN;
 }
 
-/// x = n_a x n_b is l (f + (s - 1/2) r + (t - 1/2) up): its products with r x up, up x f and f x r are in the ratio
-/// 1 : s - 1/2 : t - 1/2.
-/// With v = 2^-106: normals are at most 1, within v. x is at most 2, within 2 (2 + 8) + 16 < 48 v. The vectors
-/// multiplied with are at most D = twice the product of the largest components of their factors, within 32 v D. A
-/// product is within 3 (48 + 2 32 + 16) v D (terms) + 8 (2 + 4 + 2 + 2) v D (sums) < 2^9 v D = 2^-97 D.
-glm::dvec2 filter_st(const State& s, SightlineId a, SightlineId b) {
-  const Twofold3 x = cross(normal(*s.table, a), normal(*s.table, b));
-  const Twofold depth = dot(x, s.axes[0].vector);
-  if (!(std::abs(depth.high) > 2 * s.axes[0].error)) return {NAN, NAN};
-  const auto coordinate = [&](const Axis& axis) {
-    const Twofold q = dot(x, axis.vector) / depth;
+/// A line is l_f + (s - 1/2) l_r + (t - 1/2) l_u = 0 in the window, with l_f, l_r, l_u its normal's products with
+/// forward, right and up. Two lines a, b meet where
+///   (s - 1/2) : (t - 1/2) : 1 = a_u b_f - a_f b_u : a_f b_r - a_r b_f : a_r b_u - a_u b_r.
+/// With F, R, U the largest components of the three vectors, products are at most 3 F, within 96 vF (see dot), and so
+/// on. In the last minor no product is above 9 RU: with the data's 2 2 3 96 vRU and its own 64 9 vRU it is within 2^11
+/// vRU = 2^-95 RU. The others alike: State::place_error.
+template <bool fused>
+[[gnu::always_inline]] inline glm::dvec2 filter_st(const State& s, const WindowLine& a, const WindowLine& b) {
+  const Twofold depth = minor<fused>(a.right, b.up, a.up, b.right);
+  const double depth_error = s.place_error[0], size_of_depth = std::abs(depth.high);
+  if (!(size_of_depth > 2 * depth_error)) return {NAN, NAN};
+  const auto coordinate = [&](const Twofold& x, double error) __attribute__((always_inline)) {
+    const Twofold q = quotient<fused>(x, depth);
     const double size = std::abs(q.high);
-    return nearest(q, 4 * (axis.error + size * s.axes[0].error) / std::abs(depth.high) + 0x1p-100 * size);
+    return nearest(q, 4 * (error + size * depth_error) / size_of_depth + 0x1p-100 * size);
   };
-  return {coordinate(s.axes[1]), coordinate(s.axes[2])};
+  return {coordinate(minor<fused>(a.up, b.forward, a.forward, b.up), s.place_error[1]),
+          coordinate(minor<fused>(a.forward, b.right, a.right, b.forward), s.place_error[2])};
 }
+
+template <bool fused>
+[[gnu::always_inline]] inline const WindowLine& window_line(State& s, SightlineId id) {
+  std::uint32_t& at = s.window_line_of[id];
+  if (at == none) {
+    at = static_cast<std::uint32_t>(s.window_lines.size());
+    const Normal n = normal(*s.table, id);
+    s.window_lines.push_back({dot<fused>(n, s.frame[0]), dot<fused>(n, s.frame[1]), dot<fused>(n, s.frame[2])});
+  }
+  return s.window_lines[at];
+}
+
+template <bool fused>
+[[gnu::always_inline]] inline void filter_places(State& s) {
+  s.window_lines.clear();
+  s.window_lines.reserve(s.table->size());
+  s.window_line_of.assign(s.table->size(), none);
+  for (VertexDraft& vertex : s.vertices) {
+    const Corner& corner = s.corners[vertex.corner];
+    vertex.st = filter_st<fused>(s, window_line<fused>(s, corner.low), window_line<fused>(s, corner.high));
+  }
+}
+#if defined(__x86_64__) && defined(__GNUC__)
+[[gnu::target("fma")]] void filter_places_fused(State& s) { filter_places<true>(s); }
+bool has_fused() {
+  static const bool has = __builtin_cpu_supports("fma");
+  return has;
+}
+#elif defined(__FP_FAST_FMA)
+void filter_places_fused(State& s) { filter_places<true>(s); }
+constexpr bool has_fused() { return true; }
+#else
+void filter_places_fused(State& s) { filter_places<false>(s); }
+constexpr bool has_fused() { return false; }
+#endif
 
 std::array<Integer, 3> exact_ray(const State& s, CornerId c) {
   const Corner& corner = s.corners[c];
@@ -93,41 +181,44 @@ std::array<mpq_class, 2> exact_st(const State& s, CornerId c) {
 
 }  // namespace
 
-void set_axes(State& s) {
+void set_frame(State& s) {
   const auto largest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  const auto axis = [&](const glm::dvec3& v, const glm::dvec3& w) {
-    return Axis{exact_cross(v, w), 0x1p-96 * largest(v) * largest(w)};
-  };
   const Camera& c = *s.camera;
+  const glm::dvec3* const given[3] = {&c.forward, &c.right, &c.up};
   int exponent = 0;
   std::frexp(std::max({largest(c.forward), largest(c.right), largest(c.up)}), &exponent);
-  const glm::dvec3* const given[3] = {&c.forward, &c.right, &c.up};
+  double size[3];
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) s.frame[i][k] = std::ldexp((*given[i])[k], -exponent);
+    size[i] = largest(s.frame[i]);
+    // So that lower parts are far above the least double.
+    if (size[i] < 0x1p-400) size[i] = HUGE_VAL;
   }
-  const auto& [forward, right, up] = s.frame;
-  s.axes[0] = axis(right, up);
-  s.axes[1] = axis(up, forward);
-  s.axes[2] = axis(forward, right);
+  s.place_error[0] = 0x1p-95 * size[1] * size[2];
+  s.place_error[1] = 0x1p-95 * size[2] * size[0];
+  s.place_error[2] = 0x1p-95 * size[0] * size[1];
 }
 
-void place_vertex(const State& s, VertexDraft& vertex) {
-  const Corner& corner = s.corners[vertex.corner];
-  if (!s.camera) {
-    const std::array<Integer, 3> ray = exact_ray(s, vertex.corner);
-    long top = 0, exponent[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      vertex.direction[static_cast<int>(k)] = mpz_get_d_2exp(&exponent[k], ray[k].get_mpz_t());
-      if (ray[k] != 0) top = std::max(top, exponent[k]);
-    }
-    for (int k = 0; k < 3; ++k) {
-      vertex.direction[k] = std::ldexp(vertex.direction[k], static_cast<int>(std::max(exponent[k] - top, -2000l)));
-    }
-    vertex.direction = glm::normalize(vertex.direction);
-    vertex.st = {0, 0};
-    return;
+namespace {
+
+void place_on_sphere(const State& s, VertexDraft& vertex) {
+  const std::array<Integer, 3> ray = exact_ray(s, vertex.corner);
+  long top = 0, exponent[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    vertex.direction[static_cast<int>(k)] = mpz_get_d_2exp(&exponent[k], ray[k].get_mpz_t());
+    if (ray[k] != 0) top = std::max(top, exponent[k]);
   }
-  glm::dvec2 st = filter_st(s, corner.low, corner.high);
+  for (int k = 0; k < 3; ++k) {
+    vertex.direction[k] = std::ldexp(vertex.direction[k], static_cast<int>(std::max(exponent[k] - top, -2000l)));
+  }
+  vertex.direction = glm::normalize(vertex.direction);
+  vertex.st = {0, 0};
+}
+
+/// What the filter left open, and the sides of the window, which are exact.
+void finish_place(const State& s, VertexDraft& vertex) {
+  const Corner& corner = s.corners[vertex.corner];
+  glm::dvec2 st = vertex.st;
   const auto on = [&](Window::Side side) {
     return corner.low == s.border[side].id || corner.high == s.border[side].id;
   };
@@ -138,6 +229,21 @@ void place_vertex(const State& s, VertexDraft& vertex) {
   if (std::isnan(st.x) || std::isnan(st.y)) st = s.window->st(*s.table, corner.low, corner.high);
   vertex.st = st + 0.0;  // no negative zero
   vertex.direction = glm::normalize(s.frame[0] + (st.x - 0.5) * s.frame[1] + (st.y - 0.5) * s.frame[2]);
+}
+
+}  // namespace
+
+void place_vertices(State& s) {
+  if (!s.camera) {
+    for (VertexDraft& vertex : s.vertices) place_on_sphere(s, vertex);
+    return;
+  }
+  if (has_fused()) {
+    filter_places_fused(s);
+  } else {
+    filter_places<false>(s);
+  }
+  for (VertexDraft& vertex : s.vertices) finish_place(s, vertex);
 }
 
 Sign compare_places(const State& s, CornerId a, CornerId b) {

@@ -91,13 +91,9 @@ struct VertexDraft {
   glm::dvec3 direction;
 };
 
-struct Twofold3 {
-  Twofold x, y, z;
-};
-/// A vector that products with rays are taken with, and how far they may be off (see stitch_place.cpp).
-struct Axis {
-  Twofold3 vector;
-  double error;
+/// A line's products with the camera's forward, right and up; see stitch_place.cpp.
+struct WindowLine {
+  Twofold forward, right, up;
 };
 struct LoopDraft {
   std::uint32_t start;  // half-edge
@@ -115,11 +111,11 @@ struct State {
   const Window* window = nullptr;
   Sign handedness = 1;
   SightlineRef border[4];
-  glm::dvec3 eye{};     // unit coordinates, each within 2^-52 * scale
-  double scale = 1;     // max(1, largest unit coordinate of the eye)
-  glm::dvec3 ahead{};   // forward, scaled to largest component 1; zero for the sphere
-  glm::dvec3 frame[3];  // forward, right and up, times one power of two: largest component in [1/2, 1)
-  Axis axes[3];         // right x up, up x forward, forward x right
+  glm::dvec3 eye{};       // unit coordinates, each within 2^-52 * scale
+  double scale = 1;       // max(1, largest unit coordinate of the eye)
+  glm::dvec3 ahead{};     // forward, scaled to largest component 1; zero for the sphere
+  glm::dvec3 frame[3];    // forward, right and up, times one power of two: largest component in [1/2, 1)
+  double place_error[3];  // of the products that depth, s and t are made of
 
   // Fragments.
   std::vector<PolygonId> polygon_of;  // what a fragment shows; none: nothing
@@ -158,6 +154,8 @@ struct State {
   // The map's own graph. Half-edge 2e runs along edge e, 2e+1 against it.
   std::vector<std::uint32_t> vertex_of;  // per root: place in the map
   std::vector<VertexDraft> vertices, placed;
+  std::vector<std::uint32_t> window_line_of;  // per sightline: in window_lines, or none
+  std::vector<WindowLine> window_lines;
   std::vector<std::pair<double, std::uint32_t>> vertex_order;
   struct Half {
     SightlineRef line;    // oriented: the left of the half-edge, as seen from the eye, is its front
@@ -190,11 +188,11 @@ void name_scene_vertices(State& s, VisibilityMap& map);
 /// Does the loop of this half-edge run clockwise in (s,t)? Exactly.
 bool runs_clockwise(State& s, const VisibilityMap& map, std::uint32_t start);
 
-/// Prepares place_vertex for the camera.
-void set_axes(State& s);
-/// Where a corner is seen: (s,t), each the nearest double, or on the sphere the unit direction, rounded from exact
+/// Prepares place_vertices for the camera.
+void set_frame(State& s);
+/// Where the vertices are seen: (s,t), each the nearest double, or on the sphere the unit direction, rounded from exact
 /// numbers: either depends on the ray alone.
-void place_vertex(const State& s, VertexDraft& vertex);
+void place_vertices(State& s);
 /// Exact lexicographic order of rays: by (s,t), on the sphere by direction scaled to a primitive integer vector.
 Sign compare_places(const State& s, CornerId a, CornerId b);
 
