@@ -58,8 +58,8 @@ SightlineRef SightlineTable::of_points(PointId a, PointId b) {
   const SightlineRef found = unpacked(by_points_.get(pair_key(a, b), [&] {
     const SightlineRef made = make_of_points(a, b);
     if (made.id != none && line_[made.id].a == none) {
-      line_[made.id].a = a;
-      line_[made.id].b = b;
+      line_[made.id].a = made.sign > 0 ? a : b;
+      line_[made.id].b = made.sign > 0 ? b : a;
     }
     return packed(made);
   }));

@@ -83,7 +83,8 @@ class SightlineTable {
   std::uint32_t size() const { return static_cast<std::uint32_t>(line_.size()); }
   /// The canonical normal scaled by a power of two to largest component in [1/2, 1], each component within 2^-53.
   const glm::dvec3& approx(SightlineId id) const { return line_[id].approx; }
-  /// Two points that are seen on the line, of those that it was made of; none if it was made of no points.
+  /// Two points a, b that the line was made of, such that (a - eye) x (b - eye) is its normal up to a positive factor;
+  /// none if it was made of no points.
   PointId first_point(SightlineId id) const { return line_[id].a; }
   PointId second_point(SightlineId id) const { return line_[id].b; }
   /// By identity: is p one of them?

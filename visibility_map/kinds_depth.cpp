@@ -31,6 +31,15 @@ Sign filter_nearer(double at_p, double at_q, double along_p, double along_q, dou
   return (d > 0) == (at_p * at_q > 0) ? 1 : -1;
 }
 
+/// Side of a point against the plane shown: corners of a polygon that is planar lie in it.
+Sign side_of(const State& s, PointId p, const Shown& shown) {
+  if (s.scene->planar(shown.polygon) && has_corner(*s.scene, shown.polygon, p)) {
+    ++tally().identity;
+    return 0;
+  }
+  return point_side(s.scene->planes(), p, shown.plane);
+}
+
 /// Parallel planes seen along one ray lie on the same side of the eye: q is nearer if it lies on the eye's side of p.
 Sign nearer_of_parallel(State& s, PlaneId p, const Shown& q) {
   for (const Surface& piece : s.scene->surfaces(q.polygon)) {
@@ -50,12 +59,12 @@ Depths filter_depths(const State& s, const Stretch& stretch, PlaneId p, PlaneId 
           filter_nearer(at_p, at_q, along(s, p, b), along(s, q, b), s.scale)};
 }
 
-Depths carried_depths(State& s, const std::vector<Carrier>& carriers, PlaneId q) {
+Depths carried_depths(State& s, const std::vector<Carrier>& carriers, const Shown& q) {
   for (const Carrier& c : carriers) {
-    const Sign a = point_side(s.scene->planes(), c.a, q), b = point_side(s.scene->planes(), c.b, q);
+    const Sign a = side_of(s, c.a, q), b = side_of(s, c.b, q);
     if (a == 0 && b == 0) return {0, 0};
     if (!c.covers() || a * b < 0) continue;
-    const Sign nearer = (a != 0 ? a : b) == s.table->eye_side(q) ? 1 : -1;
+    const Sign nearer = (a != 0 ? a : b) == s.table->eye_side(q.plane) ? 1 : -1;
     return {nearer, nearer};
   }
   return {uncertain, uncertain};

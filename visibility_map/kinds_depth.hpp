@@ -17,9 +17,10 @@ struct Depths {
 
 /// By doubles; either sign may be `uncertain`.
 Depths filter_depths(const State& s, const Stretch& stretch, PlaneId p, PlaneId q);
-/// From edges of the scene in plane p that carry the stretch, against plane q: exact where it answers. Depths along the
-/// stretch are those of the edge, and a segment whose ends are on the eye's side of q is so within.
-Depths carried_depths(State& s, const std::vector<Carrier>& carriers, PlaneId q);
+/// From edges of the scene in plane p that carry the stretch, against plane q (of the polygon that shows it): exact
+/// where it answers. Depths along the stretch are those of the edge, and a segment whose ends are on the eye's side of
+/// q is so within.
+Depths carried_depths(State& s, const std::vector<Carrier>& carriers, const Shown& q);
 /// Always an answer.
 Depths exact_depths(State& s, const Stretch& stretch, const Shown& p, const Shown& q);
 

@@ -54,8 +54,14 @@ NameKey name_or_diagonal(State& s, const Run& run, std::vector<Carrier>& carrier
   return planes_name(s, a, b);
 }
 
+/// The owner is nearer and ends here, or it would be seen on the other side too: a part of its outline carries all of
+/// the run. Where it lies in one plane, only edges of the file are that: if but one of them may be it, it is.
 void add_silhouette(State& s, const Run& run, bool left_owns) {
   const Shown& owner = left_owns ? run.p : run.q;
+  if (s.scene->planar(owner.polygon)) {
+    const NearEdges edges = near_edges(s, run.stretch.line, owner.polygon);
+    if (edges.count == 1) return add_part(s, run, EdgeKind::silhouette, owner.polygon, edge_key(edges.a, edges.b));
+  }
   s.carriers.clear();
   find_carriers(s, run.stretch, owner, false, s.carriers);
   add_part(s, run, EdgeKind::silhouette, owner.polygon, name_or_diagonal(s, run, s.carriers, owner, {}));
@@ -98,11 +104,8 @@ void add_meeting(State& s, const Run& run, const std::vector<Carrier>& carriers)
     return;
   }
   // The edges' ends within the run, in order.
-  struct Stop {
-    PointId point;
-    CornerId corner;
-  };
-  std::vector<Stop> stops{{none, run.stretch.from}};
+  auto& stops = s.stops;
+  stops.assign(1, {none, run.stretch.from});
   for (const Carrier& c : carriers) {
     for (const PointId v : {c.start, c.end}) {
       if (v == none) continue;
@@ -115,9 +118,8 @@ void add_meeting(State& s, const Run& run, const std::vector<Carrier>& carriers)
     return s.table->order({line, 1}, s.corners[b].across(line), s.corners[a].across(line));
   };
   std::sort(stops.begin() + 1, stops.end(),
-            [&](const Stop& a, const Stop& b) { return after(a.corner, b.corner) > 0; });
+            [&](const State::Stop& a, const State::Stop& b) { return after(a.corner, b.corner) > 0; });
   stops.push_back({none, run.stretch.to});
-  const std::vector<Carrier> all = carriers;
   const auto rank = [&](PointId v, std::size_t otherwise) {
     for (std::size_t k = 1; v != none && k + 1 < stops.size(); ++k) {
       if (stops[k].point == v) return k;
@@ -133,15 +135,16 @@ void add_meeting(State& s, const Run& run, const std::vector<Carrier>& carriers)
     Run part = run;
     part.stretch.from = stops[k].corner;
     part.stretch.to = stops[k + 1].corner;
-    std::vector<Carrier> here;
-    for (const Carrier& c : all) {
-      if (rank(c.start, 0) <= k && k < rank(c.end, stops.size() - 1)) here.push_back({c.a, c.b, none, none});
+    s.other_carriers.clear();
+    for (const Carrier& c : carriers) {
+      if (rank(c.start, 0) <= k && k < rank(c.end, stops.size() - 1)) {
+        s.other_carriers.push_back({c.a, c.b, none, none});
+      }
     }
-    if (here.empty()) {
-      s.other_carriers.clear();
+    if (s.other_carriers.empty()) {
       add_part(s, part, EdgeKind::intersection, none, name_or_diagonal(s, part, s.other_carriers, run.p, run.q));
     } else {
-      add_part(s, part, EdgeKind::crease, none, best_name(here));
+      add_part(s, part, EdgeKind::crease, none, best_name(s.other_carriers));
     }
   }
 }
@@ -157,11 +160,11 @@ void classify(State& s, const Run& run) {
   find_carriers(s, run.stretch, run.p, false, s.carriers);
   Depths depths{0, 0};
   if (run.p.plane != run.q.plane) {
-    depths = carried_depths(s, s.carriers, run.q.plane);
+    depths = carried_depths(s, s.carriers, run.q);
     if (!depths.certain()) {
       s.other_carriers.clear();
       find_carriers(s, run.stretch, run.q, false, s.other_carriers);
-      depths = carried_depths(s, s.other_carriers, run.p.plane);
+      depths = carried_depths(s, s.other_carriers, run.p);
       if (depths.certain()) depths = {-depths.from, -depths.to};
     }
     if (!depths.certain()) depths = exact_depths(s, run.stretch, run.p, run.q);

@@ -29,23 +29,58 @@ void add_carrier(State& s, SightlineRef from, SightlineRef to, PointId a, PointI
   out.push_back({std::min(a, b), std::max(a, b), p == inside ? first : none, q == inside ? last : none});
 }
 
+/// Are points so near the line that they may lie on it?
+struct NearLine {
+  glm::dvec3 n;
+  double at_eye, bound;
+  /// With u = 2^-53 and S = s.scale: a point (at most 1/2) is within u/2, the eye within uS and n within u, so that
+  /// data carry 3 u + 6 uS, and products, sums and the difference 4 u + 8 uS + 5 uS: below 37 uS. An eye beyond what
+  /// doubles hold makes everything near.
+  NearLine(const State& s, SightlineId line)
+      : n(s.table->approx(line)), at_eye(glm::dot(n, s.eye)), bound(0x1p-47 * s.scale) {}
+  bool operator()(const glm::dvec3& p) const { return !(std::abs(glm::dot(n, p) - at_eye) > bound); }
+};
+
 }  // namespace
 
-void find_carriers(State& s, const Stretch& stretch, const Shown& shown, bool diagonals, std::vector<Carrier>& out) {
+NearEdges near_edges(const State& s, SightlineId line, PolygonId polygon) {
+  const NearLine near(s, line);
+  const PointTable& points = s.scene->points();
+  const std::span<const std::uint32_t> corners = s.scene->corners(polygon);
+  NearEdges found{0, none, none};
+  PointId last = corners.back();
+  bool last_near = near(points.approx(last));
+  for (const PointId corner : corners) {
+    const bool corner_near = near(points.approx(corner));
+    if (last_near && corner_near) {
+      ++found.count;
+      found.a = std::min(last, corner);
+      found.b = std::max(last, corner);
+    }
+    last = corner;
+    last_near = corner_near;
+  }
+  return found;
+}
+
+bool on_line(State& s, SightlineId line, PointId a, PointId b) {
+  if (s.table->holds(line, a) && s.table->holds(line, b)) return a != b;
+  return s.table->of_points(a, b).id == line;
+}
+
+static void place_carriers(State& s, const Stretch& stretch, const Shown& shown, bool diagonals,
+                           std::vector<Carrier>& out) {
   const Scene& scene = *s.scene;
-  const SightlineRef from = s.corners[stretch.from].across(stretch.line);
-  const SightlineRef to = s.corners[stretch.to].across(stretch.line);
-  const glm::dvec3& n = s.table->approx(stretch.line);
-  // With u = 2^-53 and S = s.scale: a point is within u/2, the eye within 2uS, their difference (at most 2S) within
-  // 5uS; the product with n is within 3 (5 + 2) uS (data) + (3 * 2 + 4 + 6) uS (rounding) = 37 uS.
-  const double bound = 0x1p-47 * s.scale;
-  // An eye beyond what doubles hold makes everything near.
-  const auto near = [&](PointId p) { return !(std::abs(glm::dot(n, scene.points().approx(p) - s.eye)) > bound); };
+  const SightlineId line = stretch.line;
+  const SightlineRef from = s.corners[stretch.from].across(line), to = s.corners[stretch.to].across(line);
+  const NearLine near_line(s, line);
+  const auto near = [&](PointId p) { return near_line(scene.points().approx(p)); };
   const auto try_edge = [&](PointId a, PointId b) {
-    const SightlineRef ref = s.table->of_points(a, b);
-    if (ref.id != stretch.line) return;
     // The normal (a - eye) x (b - eye): b comes after a where it is opposite to N.
-    add_carrier(s, from, to, a, b, ref.sign < 0, out);
+    bool b_after_a = a == s.table->second_point(line);
+    if (!on_line(s, line, a, b)) return;
+    if (!s.table->holds(line, a) || !s.table->holds(line, b)) b_after_a = s.table->of_points(a, b).sign < 0;
+    add_carrier(s, from, to, a, b, b_after_a, out);
   };
   if (diagonals) {
     for (const Surface& piece : scene.surfaces(shown.polygon)) {
@@ -68,6 +103,19 @@ void find_carriers(State& s, const Stretch& stretch, const Shown& shown, bool di
     last = corner;
     last_near = corner_near;
   }
+}
+
+void find_carriers(State& s, const Stretch& stretch, const Shown& shown, bool diagonals, std::vector<Carrier>& out) {
+  if (!diagonals && s.scene->planar(shown.polygon) && s.scene->surfaces(shown.polygon).size() == 1) {
+    // Convex: what is seen of it beside the stretch reaches the line in the edges that lie there, so that a single one
+    // carries all of it.
+    const NearEdges edges = near_edges(s, stretch.line, shown.polygon);
+    if (edges.count == 1 && on_line(s, stretch.line, edges.a, edges.b)) {
+      out.push_back({edges.a, edges.b, none, none});
+    }
+    if (edges.count <= 1) return;
+  }
+  place_carriers(s, stretch, shown, diagonals, out);
 }
 
 NameKey best_name(const std::vector<Carrier>& carriers) {

@@ -77,14 +77,35 @@ void look_for_vertex(State& s, const Corner& at, const UnitRay& ray, PlaneId pla
   });
 }
 
+/// A point that both lines of the corner were made of: it is seen in the corner, or opposite to it.
+PointId common_point(const SightlineTable& table, const Corner& at) {
+  const PointId p = table.first_point(at.low);
+  if (p == none) return none;
+  return table.holds(at.high, p)                            ? p
+         : table.holds(at.high, table.second_point(at.low)) ? table.second_point(at.low)
+                                                            : none;
+}
+
+/// Does the point lie in the plane in which the polygon is seen, as a corner of it?
+bool is_corner_of(const Scene& scene, PolygonId polygon, PointId v) {
+  if (!scene.planar(polygon)) return false;
+  for (const PointId corner : scene.corners(polygon)) {
+    if (scene.lowest_twin(corner) == v) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void name_scene_vertices(State& s, VisibilityMap& map) {
   list_coincident(s, map);
   for (std::uint32_t v = 0; v < map.vertices.size(); ++v) {
     const Corner& at = s.corners[s.vertices[v].corner];
-    const UnitRay ray = unit_ray(s, s.vertices[v]);
-    PointId best = none;
+    // Points on the vertex's ray, by identity, and those found: a plane that holds one holds no other, for on one ray
+    // there is one point of the plane; equal points are looked for by the lowest of them.
+    PointId known = common_point(*s.table, at), best = none;
+    if (known != none) known = s.scene->lowest_twin(known);
+    UnitRay ray{{}, -1};
     s.planes_beside.clear();
     for (std::uint32_t k = s.out_start[v]; k < s.out_start[v + 1]; ++k) {
       // What is seen in the sector between this half-edge and the next, right beside each of them.
@@ -95,7 +116,14 @@ void name_scene_vertices(State& s, VisibilityMap& map) {
         const PlaneId plane = s.plane_of[fragment];
         if (std::find(s.planes_beside.begin(), s.planes_beside.end(), plane) != s.planes_beside.end()) continue;
         s.planes_beside.push_back(plane);
+        if (known != none && is_corner_of(*s.scene, s.polygon_of[fragment], known)) {
+          best = std::min(best, known);
+          continue;
+        }
+        if (ray.error < 0) ray = unit_ray(s, s.vertices[v]);
+        const PointId before = best;
         look_for_vertex(s, at, ray, plane, best);
+        if (best != before && known == none) known = best;
       }
     }
     map.vertices[v].scene_vertex = best;

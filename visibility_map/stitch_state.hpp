@@ -148,6 +148,11 @@ struct State {
   std::vector<Mark> marks;
   std::vector<MapLine> plane_names;
   std::vector<Carrier> carriers, other_carriers;
+  struct Stop {  // an end of a carrier within a run
+    PointId point;
+    CornerId corner;
+  };
+  std::vector<Stop> stops;
   std::vector<std::pair<NameKey, std::uint32_t>> names;  // with its user: edges, then marks
   std::vector<std::uint32_t> line_of_user;
 
@@ -214,9 +219,25 @@ struct Shown {
 };
 /// Would the stretch, continued to another corner of its line, go half way round the sphere or more?
 bool half_turn(State& s, const Stretch& stretch, CornerId to);
-/// Appends to `out` the edges of the polygon that lie on the line and in the plane, as far as they meet the stretch in
-/// positive length: edges of the file, or, with `diagonals`, edges of its pieces in that plane.
+/// Appends to `out` the edges of the polygon, which is seen beside the stretch, that lie on the line and in the plane,
+/// as far as they meet the stretch in positive length: edges of the file, or, with `diagonals`, edges of its pieces in
+/// that plane.
 void find_carriers(State& s, const Stretch& stretch, const Shown& shown, bool diagonals, std::vector<Carrier>& out);
+/// Does the line of the points a and b, which are not one, have this id?
+bool on_line(State& s, SightlineId line, PointId a, PointId b);
+/// The edges of a polygon that may lie on a line, as far as doubles tell: how many, and one of them, a < b.
+struct NearEdges {
+  std::uint32_t count;
+  PointId a, b;
+};
+NearEdges near_edges(const State& s, SightlineId line, PolygonId polygon);
+/// Is the point one of the polygon's corners?
+inline bool has_corner(const Scene& scene, PolygonId polygon, PointId p) {
+  for (const PointId corner : scene.corners(polygon)) {
+    if (corner == p) return true;
+  }
+  return false;
+}
 /// The name that FORMATS wants among carriers: the lowest that covers the stretch, else the lowest; no_name if none.
 NameKey best_name(const std::vector<Carrier>& carriers);
 /// The name of the line of two planes, each given by a polygon that lies in it.
