@@ -45,6 +45,7 @@ PlaceIndex::PlaceIndex(const PointTable& points, std::span<const PointId> member
   cells_ = cells_along(high - low, members.size());
   for (int k = 0; k < 3; ++k) {
     const double size = high[k] - low[k];
+    last_[k] = static_cast<double>(cells_[static_cast<std::size_t>(k)] - 1);
     scale_[k] = size > 0 ? static_cast<double>(cells_[static_cast<std::size_t>(k)]) / size : 0;
   }
   const auto cell_of = [&](PointId p) {

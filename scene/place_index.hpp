@@ -3,6 +3,7 @@
 
 #include "exact/point_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -23,14 +24,16 @@ class PlaceIndex {
   void near(const glm::dvec3& place, double radius, Visit&& visit) const {
     if (members_.empty()) return;
     // Mostly one cell. A place in cells is at most 4096 and off by less than 2^-39, so that with 2^-37 more on each
-    // side no member is missed that lies a rounding away. What is not a number asks for all.
+    // side no member is missed that lies a rounding away. What is not a number asks for all: a comparison with it keeps
+    // the first argument of min and max.
     std::size_t from[3], to[3];
     for (std::size_t k = 0; k < 3; ++k) {
       const int axis = static_cast<int>(k);
       const double at = (place[axis] - low_[axis]) * scale_[axis], wide = radius * scale_[axis] + 0x1p-37;
-      const double low = at - wide, high = at + wide, last = static_cast<double>(cells_[k] - 1);
-      from[k] = !(low > 0) ? 0 : low >= last ? cells_[k] - 1 : static_cast<std::size_t>(low);
-      to[k] = !(high < last) ? cells_[k] - 1 : high <= 0 ? 0 : static_cast<std::size_t>(high);
+      const double low = std::min(last_[axis], std::max(0.0, at - wide));
+      const double high = std::max(0.0, std::min(last_[axis], at + wide));
+      from[k] = static_cast<std::size_t>(static_cast<int>(low));
+      to[k] = static_cast<std::size_t>(static_cast<int>(high));
     }
     for (std::size_t x = from[0]; x <= to[0]; ++x) {
       for (std::size_t y = from[1]; y <= to[1]; ++y) {
@@ -47,6 +50,7 @@ class PlaceIndex {
  private:
   glm::dvec3 low_{0}, scale_{0};               // a place in cells is (place - low) * scale
   std::array<std::size_t, 3> cells_{1, 1, 1};  // along each axis
+  glm::dvec3 last_{0};                         // the last cell of each axis
   std::vector<std::uint32_t> first_;           // by cell, into members_
   struct Member {
     PointId point;

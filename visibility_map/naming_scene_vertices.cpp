@@ -42,14 +42,14 @@ struct UnitRay {
 
 /// From where the vertex is seen, which is rounded once from exact numbers, and so good even where its lines are all
 /// but parallel. With u = 2^-53, s and t within u/2, and K the lengths of the camera's three vectors in all: forward +
-/// (s - 1/2) right + (t - 1/2) up is within 5 u K, and made unit within that over its length and 3 u. On the sphere the
-/// direction itself is rounded from exact numbers, within 6 u.
-UnitRay unit_ray(const State& s, const VertexDraft& vertex) {
+/// (s - 1/2) right + (t - 1/2) up is within 5 u K, and made unit within that over its length, which is that of its
+/// largest component or more, and 3 u. On the sphere the direction itself is rounded from exact numbers, within 6 u.
+UnitRay unit_ray(const State& s, const VertexDraft& vertex, double size) {
   if (!s.camera) return {vertex.direction, 0x1p-50};
   const auto& [forward, right, up] = s.frame;
   const glm::dvec3 ray = forward + (vertex.st.x - 0.5) * right + (vertex.st.y - 0.5) * up;
-  const double size = glm::length(forward) + glm::length(right) + glm::length(up);
-  return {vertex.direction, 0x1p-50 * (1 + size / glm::length(ray))};
+  const double largest = std::max({std::abs(ray.x), std::abs(ray.y), std::abs(ray.z)});
+  return {vertex.direction, 0x1p-50 * (1 + size / largest)};
 }
 
 /// The plane's numbers carry 2^-53 each and the eye 2^-52 of its size: its value at the eye is within 2^-49 of the
@@ -99,32 +99,37 @@ bool is_corner_of(const Scene& scene, PolygonId polygon, PointId v) {
 
 void name_scene_vertices(State& s, VisibilityMap& map) {
   list_coincident(s, map);
+  const double size = s.camera ? glm::length(s.frame[0]) + glm::length(s.frame[1]) + glm::length(s.frame[2]) : 0;
   for (std::uint32_t v = 0; v < map.vertices.size(); ++v) {
     const Corner& at = s.corners[s.vertices[v].corner];
+    const UnitRay ray = unit_ray(s, s.vertices[v], size);
     // Points on the vertex's ray, by identity, and those found: a plane that holds one holds no other, for on one ray
     // there is one point of the plane; equal points are looked for by the lowest of them.
     PointId known = common_point(*s.table, at), best = none;
     if (known != none) known = s.scene->lowest_twin(known);
-    UnitRay ray{{}, -1};
-    s.planes_beside.clear();
-    for (std::uint32_t k = s.out_start[v]; k < s.out_start[v + 1]; ++k) {
-      // What is seen in the sector between this half-edge and the next, right beside each of them.
-      const State::Half& out = s.halves[s.outgoing[k]];
-      const State::Half& in = s.halves[s.outgoing[k] ^ 1u];
-      for (const std::uint32_t fragment : {out.left, in.left_at_head}) {
-        if (fragment == none || s.plane_of[fragment] == none) continue;
-        const PlaneId plane = s.plane_of[fragment];
-        if (std::find(s.planes_beside.begin(), s.planes_beside.end(), plane) != s.planes_beside.end()) continue;
-        s.planes_beside.push_back(plane);
-        if (known != none && is_corner_of(*s.scene, s.polygon_of[fragment], known)) {
-          best = std::min(best, known);
-          continue;
-        }
-        if (ray.error < 0) ray = unit_ray(s, s.vertices[v]);
-        const PointId before = best;
-        look_for_vertex(s, at, ray, plane, best);
-        if (best != before && known == none) known = best;
+    // Planes that have been looked at; it does no harm to look twice.
+    PlaneId looked_at[8];
+    std::uint32_t count = 0;
+    const auto look = [&](std::uint32_t fragment) {
+      if (fragment == none) return;
+      const PlaneId plane = s.plane_of[fragment];
+      if (plane == none) return;
+      for (std::uint32_t k = 0; k < count; ++k) {
+        if (looked_at[k] == plane) return;
       }
+      if (count < 8) looked_at[count++] = plane;
+      if (known != none && is_corner_of(*s.scene, s.polygon_of[fragment], known)) {
+        best = std::min(best, known);
+        return;
+      }
+      look_for_vertex(s, at, ray, plane, best);
+      if (known == none) known = best;
+    };
+    for (std::uint32_t k = s.out_start[v], end = s.out_start[v + 1]; k < end; ++k) {
+      // What is seen in the sector between this half-edge and the next, right beside each of them.
+      const std::uint32_t out = s.outgoing[k];
+      look(s.halves[out].left);
+      look(s.halves[out ^ 1u].left_at_head);
     }
     map.vertices[v].scene_vertex = best;
   }

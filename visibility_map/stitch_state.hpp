@@ -178,7 +178,6 @@ struct State {
   std::vector<Twofold> edge_area;
   std::vector<double> edge_angle;
   std::vector<std::pair<std::uint32_t, PolygonId>> coincident;
-  std::vector<PlaneId> planes_beside;  // of the surfaces seen beside one vertex
 };
 
 // The stages.
