@@ -34,12 +34,14 @@ struct Tracer::State {
 
   std::unique_ptr<Engine> engine;
   Stitcher stitcher;
+  GridPoint eye_point;
   std::chrono::steady_clock::time_point start;
 };
 
 void Tracer::State::begin(const glm::dvec3& eye) {
   View& view = engine->view;
-  view.table.reset(view.table.planes(), view.scene.grid().point(eye));
+  view.scene.grid().point(eye, eye_point);
+  view.table.reset(view.table.planes(), eye_point);
   view.fragments.clear();
   view.beams = view.cells = 0;
   view.left_out = 0;

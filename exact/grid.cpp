@@ -141,22 +141,41 @@ Grid Grid::snapped(std::span<const glm::dvec3> points, const std::string& unit) 
 }
 
 GridPoint Grid::point(const glm::dvec3& world) const {
-  require_finite(world);
   GridPoint p;
+  point(world, p);
+  return p;
+}
+
+void Grid::point(const glm::dvec3& world, GridPoint& p) const {
+  require_finite(world);
+  p.shift = 0;
   if (!snap_.empty()) {
     for (int k = 0; k < 3; ++k) {
       const auto i = static_cast<std::size_t>(k);
       p.c[i] = in_units(world[k], unit_) - origin_[i];
     }
-    return p;
+    return;
   }
   for (int k = 0; k < 3; ++k)
     if (world[k] != 0) p.shift = std::max(p.shift, exponent_ - dyadic(world[k]).exponent);
   for (int k = 0; k < 3; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    p.c[i] = in_steps(world[k], exponent_ - p.shift) - shifted(origin_[i], p.shift);
+    // mantissa 2^up - origin 2^shift, without the lesser of the two powers until the end.
+    const Dyadic d = dyadic(world[k]);
+    const int up = d.mantissa == 0 ? p.shift : d.exponent - exponent_ + p.shift, common = std::min(up, p.shift);
+    const mpz_ptr c = p.c[i].get_mpz_t();
+    mpz_mul_2exp(c, origin_[i].get_mpz_t(), static_cast<mp_bitcnt_t>(p.shift - common));
+    if (up == common) {
+      mpz_neg(c, c);
+      const auto size = static_cast<unsigned long>(std::abs(d.mantissa));
+      d.mantissa < 0 ? mpz_sub_ui(c, c, size) : mpz_add_ui(c, c, size);
+    } else {
+      mpz_set_si(c, d.mantissa);
+      mpz_mul_2exp(c, c, static_cast<mp_bitcnt_t>(up - common));
+      mpz_sub(c, c, origin_[i].get_mpz_t());
+    }
+    mpz_mul_2exp(c, c, static_cast<mp_bitcnt_t>(common));
   }
-  return p;
 }
 
 bool Grid::short_point(const glm::dvec3& world, std::array<std::int64_t, 3>& c) const {

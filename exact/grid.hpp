@@ -38,6 +38,8 @@ class Grid {
   /// The point on the grid. Without a snap it is exact, with shift > 0 where the point is finer than the grid (an
   /// eye may be); with a snap it is the nearest multiple, shift 0.
   GridPoint point(const glm::dvec3& world) const;
+  /// The same into numbers that are at hand: without a snap, nothing is allocated once they have grown.
+  void point(const glm::dvec3& world, GridPoint& p) const;
   /// The same for a point that lies on the grid and whose coordinates are short: false, and nothing written, where
   /// that is not so. Quick; allocates nothing.
   bool short_point(const glm::dvec3& world, std::array<std::int64_t, 3>& c) const;

@@ -114,15 +114,20 @@ SightlineRef SightlineTable::find_or_add(const Normal& n) {
     found = id;
     return true;
   };
-  for (std::int64_t s = s0; s <= s1 && found == none; ++s)
-    for (std::int64_t t = t0; t <= t1 && found == none; ++t) by_direction_.find(d.key(s, t), same);
-  if (found != none) return {found, leading * line_[found].leading};
   const SightlineId id = size();
-  by_direction_.insert(d.key(d.s >> d.cell, d.t >> d.cell), id);
+  if (s0 == s1 && t0 == t1) {  // as nearly always
+    by_direction_.find_or_insert(d.key(s0, t0), id, same);
+  } else {
+    for (std::int64_t s = s0; s <= s1 && found == none; ++s)
+      for (std::int64_t t = t0; t <= t1 && found == none; ++t) by_direction_.find(d.key(s, t), same);
+    if (found == none) by_direction_.insert(d.key(d.s >> d.cell, d.t >> d.cell), id);
+  }
+  if (found != none) return {found, leading * line_[found].leading};
   const std::size_t count = std::size_t{3} * words_for(n.bits);
   if (used_ + count > words_.size()) words_.resize(2 * words_.size() + count + 256);
   std::uint64_t* const to = words_.data() + used_;
-  for (std::size_t k = 0; k < count; ++k) to[k] = n.words[k];
+  std::copy(n.words, n.words + 3, to);
+  if (count > 3) std::copy(n.words + 3, n.words + count, to + 3);
   line_.push_back({n.approx, used_, n.bits, leading, none, none});
   used_ += count;
   return {id, 1};

@@ -44,6 +44,8 @@ class SightlineTable {
   SightlineRef of_plane(PlaneId p);
   /// Any integer normal, not zero.
   SightlineRef of_normal(const std::array<Integer, 3>& n);
+  /// The same of three components of `stride` two's complement words each, which are overwritten.
+  SightlineRef of_normal(std::uint64_t* words, std::uint32_t stride) { return intern(words, stride); }
 
   /// Side of the eye against a plane; remembered.
   Sign eye_side(PlaneId p);

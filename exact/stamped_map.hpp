@@ -43,6 +43,19 @@ class StampedMap {
     return value;
   }
 
+  /// Calls visit(value) for the values of the key until it returns true; if it never did, the key has one value more.
+  template <class Visit>
+  bool find_or_insert(std::uint64_t key, std::uint32_t value, Visit&& visit) {
+    if (2 * (count_ + 1) > slots_.size()) grow();
+    std::size_t i = place(key);
+    for (; slots_[i].stamp == stamp_; i = (i + 1) & (slots_.size() - 1)) {
+      if (slots_[i].key == key && visit(slots_[i].value)) return true;
+    }
+    slots_[i] = {key, value, stamp_};
+    ++count_;
+    return false;
+  }
+
   void insert(std::uint64_t key, std::uint32_t value) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     put({key, value, stamp_});

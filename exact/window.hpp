@@ -32,9 +32,13 @@ class Window {
   Sign forwardness(const SightlineTable& table, SightlineRef a, SightlineRef b) const;
 
  private:
-  std::array<std::array<Integer, 3>, 3> vectors_;  // forward, right, up, times one power of two
+  const std::uint64_t* words() const { return stride_ <= short_stride ? short_words_.data() : long_words_.data(); }
+
+  static constexpr std::uint32_t short_stride = 4;
   Sign handedness_ = 1;
-  std::vector<std::uint64_t> words_;  // the nine integers, stride_ words each
+  // Forward, right, up, times one power of two: nine integers of stride_ words, here or there.
+  std::array<std::uint64_t, 9 * short_stride> short_words_{};
+  std::vector<std::uint64_t> long_words_;
   std::uint32_t stride_ = 1;
   int bits_ = 0;
   glm::dvec3 across_{0};  // right x up, scaled as sightlines are
