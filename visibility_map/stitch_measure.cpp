@@ -16,10 +16,10 @@ Twofold twice_area(const MapVertex& a, const MapVertex& b) {
 }
 
 /// The signed solid angle of the triangle of unit rays r, a, b (Van Oosterom and Strackee 1983): in (-2 pi, 2 pi), up
-/// to multiples of 4 pi. det(r, a, b - a) keeps short edges accurate.
-double solid_angle(const glm::dvec3& r, const glm::dvec3& a, const glm::dvec3& b) {
+/// to multiples of 4 pi. det(r, a, b - a) keeps short edges accurate. ra and rb are the products of r with a and b.
+double solid_angle(const glm::dvec3& r, const glm::dvec3& a, const glm::dvec3& b, double ra, double rb) {
   const double det = glm::dot(r, glm::cross(a, b - a));
-  return 2 * std::atan2(det, 1 + glm::dot(r, a) + glm::dot(a, b) + glm::dot(b, r));
+  return 2 * std::atan2(det, 1 + ra + glm::dot(a, b) + rb);
 }
 
 /// The ray from which triangles are spanned: any, but vertices opposite to it cost accuracy. On the sphere the best of
@@ -46,17 +46,14 @@ std::int32_t reference(std::uint32_t half) {
   return half % 2 == 0 ? e : -e - 1;
 }
 
-struct Measures {
-  Twofold area;  // twice
-  double angle;
-};
-Measures measure_loop(const State& s, std::uint32_t start) {
-  Measures m{{}, 0};
+State::Measure measure_loop(const State& s, std::uint32_t start) {
+  State::Measure m{{}, 0};
   std::uint32_t h = start;
   do {
+    const State::Measure& edge = s.edge_measure[h / 2];
     const bool forwards = h % 2 == 0;
-    m.area = m.area + (forwards ? s.edge_area[h / 2] : -s.edge_area[h / 2]);
-    m.angle += forwards ? s.edge_angle[h / 2] : -s.edge_angle[h / 2];
+    m.area = m.area + (forwards ? edge.area : -edge.area);
+    m.angle += forwards ? edge.angle : -edge.angle;
     h = s.next[h];
   } while (h != start);
   return m;
@@ -81,13 +78,15 @@ void outer_first(State& s, const VisibilityMap& map, std::span<LoopDraft> loops)
 
 void measure(State& s, VisibilityMap& map) {
   const glm::dvec3 r = apex(s, map);
-  s.edge_area.clear();
-  s.edge_angle.clear();
-  for (const MapEdge& e : map.edges) {
-    const MapVertex &a = map.vertices[e.vertex[0]], &b = map.vertices[e.vertex[1]];
-    s.edge_area.push_back(twice_area(a, b));
+  s.along_apex.resize(map.vertices.size());
+  for (std::size_t v = 0; v < map.vertices.size(); ++v) s.along_apex[v] = glm::dot(r, map.vertices[v].direction);
+  s.edge_measure.resize(map.edges.size());
+  for (std::size_t k = 0; k < map.edges.size(); ++k) {
+    const auto [from, to] = map.edges[k].vertex;
+    const MapVertex &a = map.vertices[from], &b = map.vertices[to];
     // Counter-clockwise seen from the eye is clockwise seen from outside the sphere.
-    s.edge_angle.push_back(-s.handedness * solid_angle(r, a.direction, b.direction));
+    s.edge_measure[k] = {twice_area(a, b), -s.handedness * solid_angle(r, a.direction, b.direction, s.along_apex[from],
+                                                                       s.along_apex[to])};
   }
   // Loops by face.
   std::uint32_t first = 0;
@@ -98,7 +97,7 @@ void measure(State& s, VisibilityMap& map) {
   }
   s.face_loops.resize(s.loops.size());
   for (LoopDraft& loop : s.loops) {
-    const Measures m = measure_loop(s, loop.start);
+    const State::Measure m = measure_loop(s, loop.start);
     loop.area = m.area;
     loop.angle = m.angle;
     MapFace& face = map.faces[loop.face];

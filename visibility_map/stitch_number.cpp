@@ -72,34 +72,53 @@ void order_names(State& s, VisibilityMap& map) {
   }
 }
 
-void add_edge(State& s, VisibilityMap& map, std::uint32_t k) {
-  const Edge& edge = s.edges[k];
+void add_edge(State& s, VisibilityMap& map, std::uint32_t lower, const State::Place& place) {
+  const Edge& edge = s.edges[place.edge];
   const Part &first = s.parts[edge.first], &last = s.parts[edge.last];
-  const std::uint32_t from = s.vertex_of[s.rays.find(first.from)], to = s.vertex_of[s.rays.find(last.to)];
   const bool mirrored = s.handedness < 0;
   const auto left = [&](const Part& part) { return mirrored ? part.right : part.left; };
   const auto right = [&](const Part& part) { return mirrored ? part.left : part.right; };
-  const std::size_t e = map.edges.size();
-  const std::size_t along = from < to ? 0 : 1;  // the half-edge in the line's positive direction
-  s.halves[2 * e + along] = {{first.line, 1}, first.from, last.to, left(first), left(last)};
-  s.halves[2 * e + 1 - along] = {{first.line, -1}, last.to, first.from, right(last), right(first)};
-  map.edges.push_back(
-      {{std::min(from, to), std::max(from, to)}, s.line_of_user[k], none, none, first.kind, first.owner});
+  State::Half* const half = s.halves.data() + 2 * map.edges.size();
+  half[place.up ? 0 : 1] = {{first.line, 1}, first.from, last.to, left(first), left(last)};
+  half[place.up ? 1 : 0] = {{first.line, -1}, last.to, first.from, right(last), right(first)};
+  map.edges.push_back({{lower, place.higher}, place.line, none, none, first.kind, first.owner});
 }
 
+/// By the lower vertex, which is counted, then by the higher one and the line.
 void order_edges(State& s, VisibilityMap& map) {
-  s.edge_order.resize(s.edges.size());
-  for (std::uint32_t k = 0; k < s.edges.size(); ++k) {
-    const std::uint32_t a = s.vertex_of[s.rays.find(s.parts[s.edges[k].first].from)];
-    const std::uint32_t b = s.vertex_of[s.rays.find(s.parts[s.edges[k].last].to)];
-    s.edge_order[k] = {std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), k};
+  const std::size_t n = s.vertices.size();
+  s.place_start.assign(n + 1, 0);
+  const auto ends = [&](const Edge& edge) {
+    return std::pair(s.vertex_of[s.rays.find(s.parts[edge.first].from)],
+                     s.vertex_of[s.rays.find(s.parts[edge.last].to)]);
+  };
+  for (const Edge& edge : s.edges) {
+    const auto [from, to] = ends(edge);
+    ++s.place_start[std::min(from, to)];
   }
-  std::sort(s.edge_order.begin(), s.edge_order.end(), [&](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first < b.first : s.line_of_user[a.second] < s.line_of_user[b.second];
-  });
+  std::uint32_t sum = 0;
+  for (std::uint32_t& start : s.place_start) {
+    sum += start;
+    start = sum;
+  }
+  s.edge_places.resize(s.edges.size());
+  for (std::uint32_t k = 0; k < s.edges.size(); ++k) {
+    const auto [from, to] = ends(s.edges[k]);
+    s.edge_places[--s.place_start[std::min(from, to)]] = {std::max(from, to), s.line_of_user[k], k, from < to};
+  }
   map.edges.clear();
+  map.edges.reserve(s.edges.size());
   s.halves.resize(2 * s.edges.size());
-  for (const auto& [ends, k] : s.edge_order) add_edge(s, map, k);
+  for (std::uint32_t v = 0; v < n; ++v) {
+    const std::span places =
+        std::span(s.edge_places).subspan(s.place_start[v], s.place_start[v + 1] - s.place_start[v]);
+    if (places.size() > 1) {
+      std::sort(places.begin(), places.end(), [](const State::Place& a, const State::Place& b) {
+        return a.higher != b.higher ? a.higher < b.higher : a.line < b.line;
+      });
+    }
+    for (const State::Place& place : places) add_edge(s, map, v, place);
+  }
 }
 
 /// The two lowest names among the edges that end in a vertex, on different lines.

@@ -169,14 +169,29 @@ struct State {
     std::uint32_t left_at_head;
   };
   std::vector<Half> halves;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> edge_order;
-  std::vector<SightlineId> vertex_line;  // per vertex: the sightline of its line[0]
+  struct Place {  // of an edge: the lower vertex it is sorted under is told by where it stands
+    std::uint32_t higher, line, edge;
+    bool up;  // runs from the lower vertex to the higher
+  };
+  std::vector<Place> edge_places;
+  std::vector<std::uint32_t> place_start;  // per vertex, and the end
+  std::vector<SightlineId> vertex_line;    // per vertex: the sightline of its line[0]
+  struct Leaving {                         // a vertex: in the direction (s,t), 0 on the sphere
+    double s, t;
+    std::uint32_t half_edge;
+    int half;  // of the turn from the first
+  };
+  std::vector<Leaving> leaving;
   std::vector<std::uint32_t> out_start, outgoing, next;
   std::vector<std::uint32_t> face_of;  // per root of `faces`
   std::vector<char> traced;
   std::vector<LoopDraft> loops, face_loops;
-  std::vector<Twofold> edge_area;
-  std::vector<double> edge_angle;
+  struct Measure {
+    Twofold area;  // twice
+    double angle;
+  };
+  std::vector<Measure> edge_measure;
+  std::vector<double> along_apex;  // per vertex: the product of its direction with the apex
   std::vector<std::pair<std::uint32_t, PolygonId>> coincident;
 };
 
