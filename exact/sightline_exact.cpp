@@ -1,4 +1,5 @@
 // The exact stages of SightlineTable: normals of new lines, and signs where the filters do not tell.
+#include "exact/gcd.hpp"
 #include "exact/plane_row.hpp"
 #include "exact/sightline_table.hpp"
 
@@ -101,6 +102,46 @@ Sign clear_sign(const Fixed<W>& a, int bit) {
 
 }  // namespace
 
+// As intern() below for normals of up to 63 or 127 bits, in registers.
+template <class Int>
+SightlineRef SightlineTable::intern_short(const std::array<Int, 3>& n) {
+  using Unsigned = std::conditional_t<sizeof(Int) == 8, std::uint64_t, UInt128>;
+  // The magnitudes laid over each other are as long as the longest and have the common factors of two.
+  Unsigned over = 0;
+  for (const Int c : n) over |= static_cast<Unsigned>(c < 0 ? -c : c);
+  if (over == 0) return {};
+  const int twos = trailing_zeros(over);
+  over >>= twos;
+  int bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(over)));
+  if constexpr (sizeof(Int) > 8) {
+    if (const auto above = static_cast<std::uint64_t>(over >> 64); above != 0) {
+      bits = 64 + static_cast<int>(std::bit_width(above));
+    }
+  }
+  const bool one_word = sizeof(Int) == 8 || bits < 64;
+  std::uint64_t words[6];
+  Normal made{words, static_cast<std::uint32_t>(bits), {}, {}};
+  // One word: the conversion rounds once, by 2^-54 at most. Two: what the upper 63 bits leave out, less than 2^-63, is
+  // below what the promise of approx() has left.
+  const double power = one_word ? std::bit_cast<double>(static_cast<std::uint64_t>(1023 - bits) << 52) : 0x1p-63;
+  for (int k = 0; k < 3; ++k) {
+    const Int c = n[static_cast<std::size_t>(k)] >> twos;
+    const auto low = static_cast<std::uint64_t>(c);
+    std::uint64_t top = low;
+    if (one_word) {
+      words[k] = low;
+    } else if constexpr (sizeof(Int) > 8) {
+      const auto high = static_cast<std::uint64_t>(c >> 64);
+      words[2 * k] = low;
+      words[2 * k + 1] = high;
+      top = (high << (127 - bits)) | (low >> 1 >> (bits - 64));
+    }
+    made.approx[k] = static_cast<double>(static_cast<std::int64_t>(top)) * power;
+    made.sign[k] = (c > 0) - (c < 0);
+  }
+  return find_or_add(made);
+}
+
 // Coordinates and differences of one word, as most scenes have.
 SightlineRef SightlineTable::make_of_short_points(PointId a, PointId b) {
   const PointTable& points = planes_->points();
@@ -116,21 +157,20 @@ SightlineRef SightlineTable::make_of_short_points(PointId a, PointId b) {
   if (x + y + z == 2) {
     const int k = !x ? 0 : !y ? 1 : 2, k1 = k == 2 ? 0 : k + 1, k2 = k == 0 ? 2 : k - 1;
     const bool up = q[k] > p[k];
-    std::array<__int128, 3> n{};
+    std::array<std::int64_t, 3> n{};
     n[static_cast<std::size_t>(k1)] = up ? p[k2] : -p[k2];
     n[static_cast<std::size_t>(k2)] = up ? -p[k1] : p[k1];
-    return intern(n);
+    return intern_short(n);
   }
   // Below 2^126, their differences below 2^127.
   const auto minor = [&](int i, int j) {
     return static_cast<__int128>(p[i]) * q[j] - static_cast<__int128>(p[j]) * q[i];
   };
-  return intern({minor(1, 2), minor(2, 0), minor(0, 1)});
+  return intern_short(std::array{minor(1, 2), minor(2, 0), minor(0, 1)});
 }
 
 SightlineRef SightlineTable::make_of_points(PointId a, PointId b) {
   const int bits = exact_eye_.difference_bits;
-  if (bits < 64 && exact_eye_.stride == 1 && planes_->points().stride() == 1) return make_of_short_points(a, b);
   const auto take = [&](std::uint64_t* words, std::uint32_t stride) { return intern(words, stride); };
   // The difference of two products of differences.
   return at_width(2 * bits + 1, [&](auto width) {
@@ -226,48 +266,6 @@ SightlineRef SightlineTable::intern(std::uint64_t* words, std::uint32_t stride) 
     n.approx[static_cast<int>(k)] = words_to_double(words + k * tight, tight, -static_cast<int>(bits));
   }
   return find_or_add(n);
-}
-
-// The same for normals of up to 127 bits, in registers.
-SightlineRef SightlineTable::intern(const std::array<__int128, 3>& n) {
-  std::uint64_t low[3], high[3];
-  unsigned __int128 longest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    low[k] = static_cast<std::uint64_t>(n[k]);
-    high[k] = static_cast<std::uint64_t>(n[k] >> 64);
-    longest |= static_cast<unsigned __int128>(n[k] < 0 ? -n[k] : n[k]);
-  }
-  if (longest == 0) return {};
-  // The magnitudes laid over each other are as long as the longest and have the common factors of two.
-  const auto below = static_cast<std::uint64_t>(longest), above = static_cast<std::uint64_t>(longest >> 64);
-  const int twos = below == 0 ? 0 : std::countr_zero(below);
-  if (twos > 0) {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = (low[k] >> twos) | (high[k] << (64 - twos));
-      high[k] = static_cast<std::uint64_t>(static_cast<std::int64_t>(high[k]) >> twos);
-    }
-  }
-  const int bits =
-      (above != 0 ? 64 + static_cast<int>(std::bit_width(above)) : static_cast<int>(std::bit_width(below))) - twos;
-  const auto short_words = bits < 64;
-  std::uint64_t words[6];
-  Normal made{words, static_cast<std::uint32_t>(bits), {}, {}};
-  // One word: the conversion rounds once, by 2^-54 at most. Two: what the upper 63 bits leave out, less than 2^-63, is
-  // below what the promise of approx() has left.
-  const double power = short_words ? std::bit_cast<double>(static_cast<std::uint64_t>(1023 - bits) << 52) : 0x1p-63;
-  for (int k = 0; k < 3; ++k) {
-    std::uint64_t top = low[k];
-    if (short_words) {
-      words[k] = low[k];
-    } else {
-      words[2 * k] = low[k];
-      words[2 * k + 1] = high[k];
-      top = (high[k] << (127 - bits)) | (low[k] >> 1 >> (bits - 64));
-    }
-    made.approx[k] = static_cast<double>(static_cast<std::int64_t>(top)) * power;
-    made.sign[k] = static_cast<std::int64_t>(high[k]) < 0 ? -1 : (low[k] | high[k]) != 0;
-  }
-  return find_or_add(made);
 }
 
 Sign SightlineTable::exact_eye_side(PlaneId p) const {

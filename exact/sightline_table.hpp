@@ -85,10 +85,8 @@ class SightlineTable {
   std::uint32_t size() const { return static_cast<std::uint32_t>(line_.size()); }
   /// The canonical normal scaled by a power of two to largest component in [1/2, 1], each component within 2^-53.
   const glm::dvec3& approx(SightlineId id) const { return line_[id].approx; }
-  /// Two points a, b that the line was made of, such that (a - eye) x (b - eye) is its normal up to a positive factor;
-  /// none if it was made of no points.
-  PointId first_point(SightlineId id) const { return line_[id].a; }
-  PointId second_point(SightlineId id) const { return line_[id].b; }
+  /// Points a, b that the line was made of, (a - eye) x (b - eye) its normal up to a positive factor; or none.
+  std::array<PointId, 2> points(SightlineId id) const { return {line_[id].a, line_[id].b}; }
   /// By identity: is p one of them?
   bool holds(SightlineId id, PointId p) const { return line_[id].a == p || line_[id].b == p; }
   std::array<Integer, 3> normal(SightlineId id) const;
@@ -123,17 +121,17 @@ class SightlineTable {
   struct Eye {
     std::vector<std::uint64_t> words;  // `stride` a coordinate
     std::uint32_t stride = 1;
-    int shift = 0, bits = 0;
-    int difference_bits = 0;  // of point - eye, on the eye's grid
-    glm::dvec3 approx{0};     // unit coordinates, the nearest doubles
-    double reach = 0;         // the largest of their magnitudes
+    int shift = 0, bits = 0, difference_bits = 0;  // of point - eye, on the eye's grid
+    bool is_short = false;                         // coordinates and differences of one word
+    glm::dvec3 approx{0};                          // unit coordinates, the nearest doubles
+    double reach = 0;                              // the largest of their magnitudes
   };
   SightlineRef intern(std::uint64_t* words, std::uint32_t stride);
-  SightlineRef intern(const std::array<__int128, 3>& n);
+  template <class Int>  // int64 or int128
+  SightlineRef intern_short(const std::array<Int, 3>& n);
   SightlineRef find_or_add(const Normal& n);
   bool same_line(SightlineId id, const Normal& n) const;
-  SightlineRef make_of_points(PointId a, PointId b);
-  SightlineRef make_of_short_points(PointId a, PointId b);
+  SightlineRef make_of_points(PointId a, PointId b), make_of_short_points(PointId a, PointId b);
   SightlineRef make_of_planes(PlaneId p, PlaneId q);
   Sign exact_eye_side(PlaneId p) const;
   Sign exact_side(SightlineRef a, PointId p) const;
@@ -143,7 +141,6 @@ class SightlineTable {
   GridPoint eye_;
   Eye exact_eye_;
   std::vector<std::uint64_t> scratch_;
-
   std::vector<std::uint64_t> words_;  // filled up to used_
   std::size_t used_ = 0;
   std::vector<Line> line_;

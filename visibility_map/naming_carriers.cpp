@@ -68,8 +68,8 @@ bool on_line(State& s, SightlineId line, PointId a, PointId b) {
   return s.table->of_points(a, b).id == line;
 }
 
-static void place_carriers(State& s, const Stretch& stretch, const Shown& shown, bool diagonals,
-                           std::vector<Carrier>& out) {
+[[gnu::noinline]] static void place_carriers(State& s, const Stretch& stretch, const Shown& shown, bool diagonals,
+                                             std::vector<Carrier>& out) {
   const Scene& scene = *s.scene;
   const SightlineId line = stretch.line;
   const SightlineRef from = s.corners[stretch.from].across(line), to = s.corners[stretch.to].across(line);
@@ -77,7 +77,7 @@ static void place_carriers(State& s, const Stretch& stretch, const Shown& shown,
   const auto near = [&](PointId p) { return near_line(scene.points().approx(p)); };
   const auto try_edge = [&](PointId a, PointId b) {
     // The normal (a - eye) x (b - eye): b comes after a where it is opposite to N.
-    bool b_after_a = a == s.table->second_point(line);
+    bool b_after_a = a == s.table->points(line)[1];
     if (!on_line(s, line, a, b)) return;
     if (!s.table->holds(line, a) || !s.table->holds(line, b)) b_after_a = s.table->of_points(a, b).sign < 0;
     add_carrier(s, from, to, a, b, b_after_a, out);

@@ -79,11 +79,9 @@ void look_for_vertex(State& s, const Corner& at, const UnitRay& ray, PlaneId pla
 
 /// A point that both lines of the corner were made of: it is seen in the corner, or opposite to it.
 PointId common_point(const SightlineTable& table, const Corner& at) {
-  const PointId p = table.first_point(at.low);
+  const auto [p, q] = table.points(at.low);
   if (p == none) return none;
-  return table.holds(at.high, p)                            ? p
-         : table.holds(at.high, table.second_point(at.low)) ? table.second_point(at.low)
-                                                            : none;
+  return table.holds(at.high, p) ? p : table.holds(at.high, q) ? q : none;
 }
 
 /// Does the point lie in the plane in which the polygon is seen, as a corner of it?
@@ -110,14 +108,15 @@ void name_scene_vertices(State& s, VisibilityMap& map) {
     // Planes that have been looked at; it does no harm to look twice.
     PlaneId looked_at[8];
     std::uint32_t count = 0;
-    const auto look = [&](std::uint32_t fragment) {
-      if (fragment == none) return;
-      const PlaneId plane = s.plane_of[fragment];
-      if (plane == none) return;
+    const auto is_new = [&](PlaneId plane) {
+      if (plane == none) return false;
       for (std::uint32_t k = 0; k < count; ++k) {
-        if (looked_at[k] == plane) return;
+        if (looked_at[k] == plane) return false;
       }
       if (count < 8) looked_at[count++] = plane;
+      return true;
+    };
+    const auto look = [&](std::uint32_t fragment, PlaneId plane) {
       if (known != none && is_corner_of(*s.scene, s.polygon_of[fragment], known)) {
         best = std::min(best, known);
         return;
@@ -126,10 +125,19 @@ void name_scene_vertices(State& s, VisibilityMap& map) {
       if (known == none) known = best;
     };
     for (std::uint32_t k = s.out_start[v], end = s.out_start[v + 1]; k < end; ++k) {
-      // What is seen in the sector between this half-edge and the next, right beside each of them.
-      const std::uint32_t out = s.outgoing[k];
-      look(s.halves[out].left);
-      look(s.halves[out ^ 1u].left_at_head);
+      // What is seen beside the half-edge, on either hand.
+      const std::uint32_t h = s.outgoing[k];
+      const std::uint32_t left = s.halves[h].left, right = s.halves[h ^ 1u].left_at_head;
+      const PlaneId p = left == none ? none : s.plane_of[left], q = right == none ? none : s.plane_of[right];
+      const bool new_left = is_new(p), new_right = is_new(q);
+      const EdgeKind kind = map.edges[h / 2].kind;
+      if (kind == EdgeKind::crease || kind == EdgeKind::seam || kind == EdgeKind::intersection) {
+        // The planes are equally far all along the edge: in the vertex they have one point.
+        if (new_left && (new_right || p == q)) look(left, p);
+        continue;
+      }
+      if (new_left) look(left, p);
+      if (new_right) look(right, q);
     }
     map.vertices[v].scene_vertex = best;
   }

@@ -9,17 +9,25 @@ namespace {
 void collect_vertices(State& s) {
   s.vertices.clear();
   s.vertex_of.assign(s.corners.size(), none);
-  for (const Edge& edge : s.edges) {
-    const bool border = s.parts[edge.first].kind == EdgeKind::window;
-    for (const CornerId corner : {s.parts[edge.first].from, s.parts[edge.last].to}) {
+  s.edge_ends.resize(s.edges.size());
+  const Part* const parts = s.parts.data();
+  std::uint32_t* const vertex_of = s.vertex_of.data();
+  for (std::size_t k = 0; k < s.edges.size(); ++k) {
+    const Part &first = parts[s.edges[k].first], &last = parts[s.edges[k].last];
+    const bool border = first.kind == EdgeKind::window;
+    const auto vertex = [&](CornerId corner) {
       const std::uint32_t root = s.rays.find(corner);
-      if (s.vertex_of[root] == none) {
-        s.vertex_of[root] = static_cast<std::uint32_t>(s.vertices.size());
+      std::uint32_t& v = vertex_of[root];
+      if (v == none) {
+        v = static_cast<std::uint32_t>(s.vertices.size());
         s.vertices.push_back({root, corner, {}, {}});
       } else if (border) {
-        s.vertices[s.vertex_of[root]].corner = corner;
+        s.vertices[v].corner = corner;
       }
-    }
+      return v;
+    };
+    const std::uint32_t from = vertex(first.from);
+    s.edge_ends[k] = {from, vertex(last.to)};
   }
 }
 
@@ -40,11 +48,18 @@ void order_vertices(State& s) {
     return a.first != b.first ? a.first < b.first : below(s.vertices[a.second], s.vertices[b.second]);
   });
   s.placed.resize(s.vertices.size());
+  s.rank_of.resize(s.vertices.size());
   for (std::uint32_t k = 0; k < s.vertices.size(); ++k) {
-    s.placed[k] = s.vertices[s.vertex_order[k].second];
+    const std::uint32_t draft = s.vertex_order[k].second;
+    s.placed[k] = s.vertices[draft];
+    s.rank_of[draft] = k;
     s.vertex_of[s.placed[k].root] = k;
   }
   s.vertices.swap(s.placed);
+  for (auto& [from, to] : s.edge_ends) {
+    from = s.rank_of[from];
+    to = s.rank_of[to];
+  }
 }
 
 MapLine line_of(const State& s, NameKey name) {
@@ -88,14 +103,7 @@ void add_edge(State& s, VisibilityMap& map, std::uint32_t lower, const State::Pl
 void order_edges(State& s, VisibilityMap& map) {
   const std::size_t n = s.vertices.size();
   s.place_start.assign(n + 1, 0);
-  const auto ends = [&](const Edge& edge) {
-    return std::pair(s.vertex_of[s.rays.find(s.parts[edge.first].from)],
-                     s.vertex_of[s.rays.find(s.parts[edge.last].to)]);
-  };
-  for (const Edge& edge : s.edges) {
-    const auto [from, to] = ends(edge);
-    ++s.place_start[std::min(from, to)];
-  }
+  for (const auto& [from, to] : s.edge_ends) ++s.place_start[std::min(from, to)];
   std::uint32_t sum = 0;
   for (std::uint32_t& start : s.place_start) {
     sum += start;
@@ -103,7 +111,7 @@ void order_edges(State& s, VisibilityMap& map) {
   }
   s.edge_places.resize(s.edges.size());
   for (std::uint32_t k = 0; k < s.edges.size(); ++k) {
-    const auto [from, to] = ends(s.edges[k]);
+    const auto [from, to] = s.edge_ends[k];
     s.edge_places[--s.place_start[std::min(from, to)]] = {std::max(from, to), s.line_of_user[k], k, from < to};
   }
   map.edges.clear();

@@ -162,6 +162,11 @@ struct State {
   std::vector<std::uint32_t> window_line_of;  // per sightline: in window_lines, or none
   std::vector<WindowLine> window_lines;
   std::vector<std::pair<double, std::uint32_t>> vertex_order;
+  std::vector<std::uint32_t> rank_of;  // per draft: place in the map
+  struct Ends {
+    std::uint32_t from, to;
+  };
+  std::vector<Ends> edge_ends;  // in `vertices`
   struct Half {
     SightlineRef line;    // oriented: the left of the half-edge, as seen from the eye, is its front
     CornerId tail, head;  // corners with this line in their names
