@@ -56,15 +56,14 @@ void SightlineTable::reset(const PlaneTable& planes, const GridPoint& eye) {
 SightlineRef SightlineTable::of_points(PointId a, PointId b) {
   const bool swapped = b < a;
   if (swapped) std::swap(a, b);
-  const SightlineRef found = unpacked(by_points_.get(
-      pair_key(a, b), [&]() __attribute__((noinline)) {
-        const SightlineRef made = exact_eye_.is_short ? make_of_short_points(a, b) : make_of_points(a, b);
-        if (made.id != none && line_[made.id].a == none) {
-          line_[made.id].a = made.sign > 0 ? a : b;
-          line_[made.id].b = made.sign > 0 ? b : a;
-        }
-        return packed(made);
-      }));
+  const SightlineRef found = unpacked(by_points_.get(pair_key(a, b), [&] {
+    const SightlineRef made = exact_eye_.is_short ? make_of_short_points(a, b) : make_of_points(a, b);
+    if (made.id != none && line_[made.id].a == none) {
+      line_[made.id].a = made.sign > 0 ? a : b;
+      line_[made.id].b = made.sign > 0 ? b : a;
+    }
+    return packed(made);
+  }));
   return swapped && found.id != none ? -found : found;
 }
 

@@ -68,8 +68,8 @@ bool on_line(State& s, SightlineId line, PointId a, PointId b) {
   return s.table->of_points(a, b).id == line;
 }
 
-[[gnu::noinline]] static void place_carriers(State& s, const Stretch& stretch, const Shown& shown, bool diagonals,
-                                             std::vector<Carrier>& out) {
+static void place_carriers(State& s, const Stretch& stretch, const Shown& shown, bool diagonals,
+                           std::vector<Carrier>& out) {
   const Scene& scene = *s.scene;
   const SightlineId line = stretch.line;
   const SightlineRef from = s.corners[stretch.from].across(line), to = s.corners[stretch.to].across(line);
