@@ -44,7 +44,7 @@ class SightlineTable {
   SightlineRef of_plane(PlaneId p);
   /// Any integer normal, not zero.
   SightlineRef of_normal(const std::array<Integer, 3>& n);
-  /// The same of three components of `stride` two's complement words each, which are overwritten.
+  /// Of three components of `stride` two's complement words each, which are overwritten.
   SightlineRef of_normal(std::uint64_t* words, std::uint32_t stride) { return intern(words, stride); }
 
   /// Side of the eye against a plane; remembered.
@@ -110,8 +110,7 @@ class SightlineTable {
     Sign leading;  // of the first component that is not zero
     PointId a, b;
   };
-  /// A normal about to be looked for: words_for(bits) words a component, exact signs, and what approx() promises.
-  struct Normal {
+  struct Normal {  // about to be looked for: words_for(bits) words a component, what approx() promises
     const std::uint64_t* words;
     std::uint32_t bits;
     Sign sign[3];
@@ -133,15 +132,13 @@ class SightlineTable {
   bool same_line(SightlineId id, const Normal& n) const;
   SightlineRef make_of_points(PointId a, PointId b), make_of_short_points(PointId a, PointId b);
   SightlineRef make_of_planes(PlaneId p, PlaneId q);
-  Sign exact_eye_side(PlaneId p) const;
-  Sign exact_side(SightlineRef a, PointId p) const;
+  Sign exact_eye_side(PlaneId p) const, exact_side(SightlineRef a, PointId p) const;
   Sign exact_order(SightlineId a, SightlineId b, SightlineId c) const;
 
   const PlaneTable* planes_ = nullptr;
   GridPoint eye_;
   Eye exact_eye_;
-  std::vector<std::uint64_t> scratch_;
-  std::vector<std::uint64_t> words_;  // filled up to used_
+  std::vector<std::uint64_t> scratch_, words_;  // words_: filled up to used_
   std::size_t used_ = 0;
   std::vector<Line> line_;
   StampedMap by_direction_, by_points_, by_planes_;

@@ -55,10 +55,11 @@ NameKey name_or_diagonal(State& s, const Run& run, std::vector<Carrier>& carrier
 }
 
 /// The owner is nearer and ends here, or it would be seen on the other side too: a part of its outline carries all of
-/// the run. Where it lies in one plane, only edges of the file are that: if but one of them may be it, it is.
+/// the run, unless a tracer did not go on there. Where it lies in one plane, only edges of the file are that: if but
+/// one of them may be it, it is.
 void add_silhouette(State& s, const Run& run, bool left_owns) {
   const Shown& owner = left_owns ? run.p : run.q;
-  if (s.scene->planar(owner.polygon)) {
+  if (s.scene->planar(owner.polygon) && s.fragments->origins.empty()) {
     const NearEdges edges = near_edges(s, run.stretch.line, owner.polygon);
     if (edges.count == 1) return add_part(s, run, EdgeKind::silhouette, owner.polygon, edge_key(edges.a, edges.b));
   }
