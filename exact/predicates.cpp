@@ -20,13 +20,15 @@ Sign filter_point_side(const ApproxPlane& q, const glm::dvec3& p) {
   return uncertain;
 }
 
-// n.p - d: three products of nbits + B, so nbits + B + 2, and d: one more.
-Sign exact_point_side(const PlaneRow& q, const std::uint64_t* point, std::uint32_t stride, int point_bits) {
-  return decide(std::max(q.normal_bits + point_bits + 2, q.offset_bits) + 1, [&](auto width) -> Sign {
+// A plane across an axis compares one coordinate.
+Sign exact_point_side(const PlaneRow& q, const PointTable& points, PointId p) {
+  return decide(value_bits(q, points), [&](auto width) -> Sign {
     constexpr int W = width();
-    return narrowed<W>(q.normal_bits, point_bits, [&]<int N, int M>(Words<N>, Words<M>) -> Sign {
-      return sign_of<W>(Wide<W>(dot<W, N, M>(q.normal<N>(), load3<M>(point, stride)) - q.offset<W>()));
-    });
+    if (q.axis >= 0) {
+      const std::uint64_t* const c = points.words(p) + static_cast<std::uint32_t>(q.axis) * points.stride();
+      return sign_of<W>(Wide<W>(load<W>(c, points.stride()) - q.offset<W>()));
+    }
+    return sign_of<W>(value_at<W>(q, points, p));
   });
 }
 
@@ -39,7 +41,7 @@ Sign point_side(const PlaneTable& planes, PointId p, PlaneId q) {
     ++tally().filter;
     return s;
   }
-  return exact_point_side(PlaneRow(planes, q), points.words(p), points.stride(), points.bits());
+  return exact_point_side(PlaneRow(planes, q), points, p);
 }
 
 Sign planes_orientation(const PlaneTable& planes, PlaneId a, PlaneId b, PlaneId c) {

@@ -1,6 +1,7 @@
 // The laws of exact/plane_table.hpp and exact/predicates.hpp, by their numbers.
 #include "tables.hpp"
 
+#include "exact/edge_vertex.hpp"
 #include "exact/rounding.hpp"
 
 #include <gtest/gtest.h>
@@ -128,6 +129,28 @@ RC_GTEST_PROP(PredicateLaws, Law4VertexAtPoint, (std::uint64_t seed)) {
     if (planes_orientation(b.planes, through[i], through[i + 1], through[i + 2]) == 0) continue;
     const ImplicitVertex v = make_vertex(b.planes, through[i], through[i + 1], through[i + 2]);
     for (const PlaneId q : b.ids) RC_ASSERT(vertex_side(b.planes, v, q) == point_side(b.planes, 0, q));
+  }
+}
+
+// The law of exact/edge_vertex.hpp: a place told by two points of the scene is the vertex of its three planes.
+RC_GTEST_PROP(PredicateLaws, EdgeVertex, (std::uint64_t seed)) {
+  Bench b(seed, some_bits(seed));
+  Random random(seed);
+  for (int i = 0; i < 10; ++i) {
+    const auto any = [&] { return static_cast<PointId>(random() % b.points.size()); };
+    const PointId from = any(), to = any();
+    const PlaneId face = b.planes.add_points(from, to, any()).id,
+                  wall = b.planes.add_wall(from, to, below(random, 3)).id;
+    const PlaneId cut = any_of(b.ids, random);
+    if (face == none || wall == none || planes_orientation(b.planes, face, wall, cut) == 0) continue;
+    if (point_side(b.planes, from, cut) * point_side(b.planes, to, cut) >= 0) continue;
+    const ImplicitVertex v = make_vertex(b.planes, face, wall, cut),
+                         w = make_edge_vertex(b.planes, face, wall, cut, from, to);
+    RC_ASSERT(same_vertex(b.planes, v, w));
+    for (int k = 0; k < 3; ++k) RC_ASSERT(std::abs(v.approx[k] - w.approx[k]) <= v.error + w.error);
+    for (const PlaneId q : b.ids) {
+      RC_ASSERT(edge_vertex_side(b.planes, cut, from, to, q) == vertex_side(b.planes, v, q));
+    }
   }
 }
 
