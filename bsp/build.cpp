@@ -10,18 +10,18 @@ namespace {
 
 // The bounding box and an eighth of its largest extent around it, at coordinates of few digits.
 void enlarged_box(const Scene& scene, Integer lower[3], Integer upper[3]) {
+  const PointTable& points = scene.points();
   Integer extent = 1;
   for (int k = 0; k < 3; ++k) {
-    lower[k] = upper[k] = 0;
-    bool first = true;
+    PointId least = none, most = none;
     for (const SurfaceEdge& e : scene.all_edges()) {
       for (const PointId p : {e.a, e.b}) {
-        const Integer c = scene.points().point(p)[static_cast<std::size_t>(k)];
-        if (first || c < lower[k]) lower[k] = c;
-        if (first || c > upper[k]) upper[k] = c;
-        first = false;
+        if (least == none || compare(points, p, least, k) < 0) least = p;
+        if (most == none || compare(points, p, most, k) > 0) most = p;
       }
     }
+    lower[k] = least != none ? points.point(least)[static_cast<std::size_t>(k)] : Integer(0);
+    upper[k] = most != none ? points.point(most)[static_cast<std::size_t>(k)] : Integer(0);
     extent = std::max<Integer>(extent, upper[k] - lower[k]);
   }
   const auto digits = mpz_sizeinbase(extent.get_mpz_t(), 2);

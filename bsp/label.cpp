@@ -1,6 +1,8 @@
 #include "bsp/label.hpp"
 
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace sightline {
 namespace {
@@ -60,11 +62,29 @@ void Labeller::name_edges(FaceId face, const SurfaceEdge& edge) {
   });
 }
 
+/// Bounds of the face's corners, rounded.
+Labeller::Bounds Labeller::bounds(FaceId face) const {
+  Bounds b{glm::dvec3{INFINITY}, glm::dvec3{-INFINITY}};
+  for_pairs_of_face(c_, face, [&](PairId p) {
+    const glm::dvec3& at = c_.vertices[pair_tail(c_, p)].place.approx;
+    b.low = glm::min(b.low, at);
+    b.high = glm::max(b.high, at);
+  });
+  return b;
+}
+
 void Labeller::label(FaceId face, std::span<const Piece> pieces, const Pieces& arena) {
   faces_.assign(1, face);
+  bounds_.assign(1, bounds(face));
   for (const Piece& piece : pieces) {
     const auto edges = scene_.edges(scene_.surfaces()[piece.surface]);
     for (std::size_t k = 0, n = faces_.size(); k < n; ++k) {
+      // Most are far from each other. Both boxes are rounded, by less than 2^-46.
+      constexpr double clear = 0x1p-40;
+      if (glm::any(glm::greaterThan(piece.low - bounds_[k].high, glm::dvec3{clear})) ||
+          glm::any(glm::greaterThan(bounds_[k].low - piece.high, glm::dvec3{clear}))) {
+        continue;
+      }
       const FaceId inside = faces_[k];
       bool outside = false, crossed = false;
       for (const SurfaceEdge& e : edges) {
@@ -92,7 +112,9 @@ void Labeller::label(FaceId face, std::span<const Piece> pieces, const Pieces& a
         } else {
           faces_.push_back(front);
         }
+        bounds_.push_back(bounds(faces_.back()));
       }
+      bounds_[k] = bounds(rest);
       faces_[k] = rest;
       c_.faces[rest].label = labels_.with(c_.faces[rest].label, piece.surface);
     }

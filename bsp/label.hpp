@@ -17,12 +17,17 @@ class Labeller {
  private:
   bool apart(FaceId face, const Piece& piece, const Pieces& arena) const;
   void name_edges(FaceId face, const SurfaceEdge& edge);
+  struct Bounds {
+    glm::dvec3 low, high;
+  };
+  Bounds bounds(FaceId face) const;
 
   const Scene& scene_;
   Complex& c_;
   Splitter& splitter_;
   Labels labels_;
   std::vector<FaceId> faces_;
+  std::vector<Bounds> bounds_;  // of faces_
 };
 
 }  // namespace sightline
