@@ -114,7 +114,6 @@ std::vector<CameraFigures> trace_all(const Tracer& prepared, const Scene& scene,
     }
     progress.step();
   };
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
   tbb::task_arena arena(static_cast<int>(options.threads));
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), trace_one, tbb::simple_partitioner()); });
   return figures;
@@ -160,6 +159,7 @@ int trace_cameras(TraceCommand& command) {
   make_folder(command.folder);
   tell(describe(input.scene), command.common.quiet);
 
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, command.common.threads);
   Report report{"trace", input.scene, {}, {}, 0, done};
   std::optional<BspTree> tree;
   if (command.common.engine == "cells") {
@@ -167,7 +167,7 @@ int trace_cameras(TraceCommand& command) {
   } else {
     const Stopwatch growing;
     const bool lazy = cameras.size() < few_cameras;
-    tree.emplace(input.scene, TreeOptions{lazy});
+    tree.emplace(input.scene, TreeOptions{lazy, command.common.threads});
     report.complex = figures_of(*tree);
     report.complex->seconds = growing.seconds();
     report.complex->lazy = lazy;

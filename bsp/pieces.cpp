@@ -29,7 +29,7 @@ Piece Pieces::whole(SurfaceId surface) {
   Piece piece{surface, s.plane, static_cast<std::uint32_t>(corners_.size()), s.edge_count, {}, {}};
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const SurfaceEdge& before = edges[k == 0 ? edges.size() - 1 : k - 1];
-    PieceCorner corner{{}, before.corner, edges[k].wall};
+    PieceCorner corner{{}, before.corner, edges[k].wall, 0};
     if (before.corner != none) {
       corner.place = {{s.plane, before.wall, edges[k].wall}, 0x1p-53, scene_.points().approx(before.corner)};
     } else {
@@ -44,9 +44,10 @@ Piece Pieces::whole(SurfaceId surface) {
 int Pieces::sides(const Piece& piece, PlaneId plane) {
   if (piece.plane == plane) return 0;
   sign_.clear();
+  CornerSides side(scene_, planes_, piece.surface, plane);
   int found = 0;
   for (const PieceCorner& c : corners(piece)) {
-    const Sign s = side(c, plane);
+    const Sign s = side.of(c);
     sign_.push_back(static_cast<std::int8_t>(s));
     found |= s < 0 ? 1 : s > 0 ? 2 : 0;
   }
@@ -54,12 +55,24 @@ int Pieces::sides(const Piece& piece, PlaneId plane) {
 }
 
 int Pieces::exact_sides(const Piece& piece, PlaneId plane) const {
+  CornerSides side(scene_, planes_, piece.surface, plane);
   int found = 0;
   for (const PieceCorner& c : corners(piece)) {
-    const Sign s = side(c, plane);
+    const Sign s = side.of(c);
     found |= s < 0 ? 1 : s > 0 ? 2 : 0;
   }
   return found;
+}
+
+/// Where the plane cuts a side of the piece.
+ImplicitVertex Pieces::meet(const Piece& piece, PlaneId side, PlaneId plane) const {
+  const auto edges = scene_.edges(scene_.surfaces()[piece.surface]);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const SurfaceEdge& e = edges[k];
+    if (e.wall != side || e.corner != e.b || edges[k == 0 ? edges.size() - 1 : k - 1].corner != e.a) continue;
+    return make_edge_vertex(planes_, piece.plane, side, plane, e.a, e.b);
+  }
+  return make_vertex(planes_, piece.plane, side, plane);
 }
 
 void Pieces::split(const Piece& piece, PlaneId plane, Piece& behind, Piece& front) {
@@ -70,17 +83,20 @@ void Pieces::split(const Piece& piece, PlaneId plane, Piece& behind, Piece& fron
     const int here = sign_[k], next = sign_[(k + 1) % n];
     if (here == 0) {
       // Where a half leaves the plane the old edge follows, where it enters it the cut does.
-      PieceCorner cut = corner[k];
-      cut.side = plane;
-      halves_[0].push_back(next < 0 ? corner[k] : cut);
-      halves_[1].push_back(next > 0 ? corner[k] : cut);
+      for (const Sign half : {-1, 1}) {
+        halves_[half > 0].push_back(corner[k]);
+        if (next == half) continue;
+        halves_[half > 0].back().side = plane;
+        halves_[half > 0].back().inside = half;
+      }
       continue;
     }
     halves_[here > 0].push_back(corner[k]);
     if (here * next < 0) {
-      PieceCorner made{make_vertex(planes_, piece.plane, corner[k].side, plane), none, plane};
+      PieceCorner made{meet(piece, corner[k].side, plane), none, plane, here};
       halves_[here > 0].push_back(made);
       made.side = corner[k].side;
+      made.inside = corner[k].inside;
       halves_[here < 0].push_back(made);
     }
   }

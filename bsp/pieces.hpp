@@ -3,17 +3,9 @@
 
 #include <cmath>
 
-#include "exact/predicates.hpp"
-#include "scene/scene.hpp"
+#include "bsp/corner_sides.hpp"
 
 namespace sightline {
-
-/// A corner of a piece: a point of the scene, or where three planes meet. The edge that follows it lies in `side`.
-struct PieceCorner {
-  ImplicitVertex place;
-  PointId point;
-  PlaneId side;
-};
 
 /// A part of a surface: corners[first .. first + count), counter-clockwise seen from the front of its plane; bounds in
 /// unit coordinates, rounded, for choosing where to cut, never for deciding what is where.
@@ -51,10 +43,17 @@ class Pieces {
   /// Cuts the piece, which lies on both sides, as found by the call of sides() just before.
   void split(const Piece& piece, PlaneId plane, Piece& behind, Piece& front);
   double area(const Piece& piece) const;  // rounded
+  /// The arena may be given away, and cut back to what it was.
+  void swap_corners(std::vector<PieceCorner>& other) { corners_.swap(other); }
+  std::size_t corner_count() const { return corners_.size(); }
+  void truncate(std::size_t count) {
+    corners_.erase(corners_.begin() + static_cast<std::ptrdiff_t>(count), corners_.end());
+  }
   std::span<const PieceCorner> corners(const Piece& p) const { return std::span(corners_).subspan(p.first, p.count); }
 
  private:
   void bound(Piece& piece) const;
+  ImplicitVertex meet(const Piece& piece, PlaneId side, PlaneId plane) const;
 
   const Scene& scene_;
   const PlaneTable& planes_;

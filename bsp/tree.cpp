@@ -1,233 +1,168 @@
 #include "bsp/tree.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+#include <array>
 #include <mutex>
 
-#include "bsp/pieces.hpp"
-#include "bsp/tree_choice.hpp"
+#include "bsp/tree_grower.hpp"
 
 namespace sightline {
 namespace {
 
-/// Objects that never move, handed out one after the other.
-template <class T>
-class Store {
- public:
-  T* take(std::size_t count) {
-    if (blocks_.empty() || used_ + count > size_) {
-      size_ = std::max<std::size_t>(count, 4096);
-      used_ = 0;
-      blocks_.push_back(std::make_unique<T[]>(size_));
-      bytes_ += size_ * sizeof(T);
-    }
-    used_ += count;
-    return blocks_.back().get() + used_ - count;
-  }
-  std::size_t bytes() const { return bytes_; }
-
- private:
-  std::vector<std::unique_ptr<T[]>> blocks_;
-  std::size_t used_ = 0, size_ = 0, bytes_ = 0;
-};
-
-// Corners of pieces are within 2^-48 of their doubles (the law of ImplicitVertex and PointTable).
-constexpr double slack = 0x1p-47;
-
-TreeBox box_of(std::span<const Piece> pieces) {
-  glm::dvec3 low = pieces[0].low, high = pieces[0].high;
-  for (const Piece& p : pieces) {
-    low = glm::min(low, p.low);
-    high = glm::max(high, p.high);
-  }
-  return {(low + high) * 0.5, (high - low) * 0.5 + slack};
-}
+constexpr std::size_t grown_at_once = 4096;  // parts that are left to one thread with all that comes of them
 
 }  // namespace
 
 struct BspTree::State {
-  explicit State(const Scene& s) : scene(s), pieces(s, s.planes()), choice(s.planes(), pieces) {
-    waiting.reserve(s.surfaces().size() * 5 / 4);
-    for (SurfaceId k = 0; k < s.surfaces().size(); ++k) waiting.push_back(pieces.whole(k));
-    root = node(0, waiting.size());
-  }
+  explicit State(const Scene& scene) : wholes(scene) {}
 
-  TreeNode* node(std::size_t first, std::size_t count) {
-    if (count == 0) return nullptr;
-    TreeNode* n = nodes.take(1);
-    n->first = first;
-    n->count = count;
-    n->box = box_of(std::span(waiting).subspan(first, count));
-    return n;
-  }
+  void plant(const TreeOptions& options);
+  void grow(tbb::task_group& group, TreeNode& node, TreeLoad& load);
+  void divide(TreeNode& node);
+  std::uint32_t put(TreeLoad load);
+  TreeLoad take(std::uint32_t place);
 
-  void divide(TreeNode& n);
-  void divide_at(TreeNode& n, PlaneId plane);
-  void divide_free(TreeNode& n, const TreeCut& cut);
-  void keep(TreeNode& n);
-  int sides(const Piece& piece, PlaneId plane);
-
-  const Scene& scene;
-  Pieces pieces;
-  TreeChoice choice;
-  std::vector<Piece> waiting;  // of nodes not yet divided
-  std::vector<Piece> on, front;
-  Store<TreeNode> nodes;
-  Store<TreePiece> kept;
-  Store<TreeEdge> edges;
-  Store<TreeCorner> places;
-  Store<TreeBox> boxes;
+  const TreeSurfaces wholes;
   TreeNode* root = nullptr;
-  std::size_t node_count = 0, piece_count = 0;
-  std::mutex mutex;
+  std::array<std::mutex, 64> doors;  // to nodes, by where these lie in memory
+
+  mutable std::mutex mutex;  // of what follows
+  std::vector<std::unique_ptr<TreeGrower>> growers;
+  std::vector<TreeGrower*> idle;
+  std::vector<TreeLoad> waiting;      // by TreeNode::waiting
+  std::vector<std::uint32_t> vacant;  // places in it
+  Size size;
 };
 
-/// The pieces in the node's plane take their last form.
-void BspTree::State::keep(TreeNode& n) {
-  std::sort(on.begin(), on.end(), [](const Piece& a, const Piece& b) { return a.surface < b.surface; });
-  TreePiece* const out = kept.take(on.size());
-  for (std::size_t k = 0; k < on.size(); ++k) {
-    const Piece& piece = on[k];
-    const auto sides_of_surface = scene.edges(scene.surfaces()[piece.surface]);
-    const auto corners = pieces.corners(piece);
-    TreeEdge* const edge = edges.take(corners.size());
-    TreeCorner* const place = places.take(corners.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      place[i] = {corners[i].place.approx, corners[i].point};
-      const PlaneId side = corners[i].side;
-      const auto own = std::find_if(sides_of_surface.begin(), sides_of_surface.end(),
-                                    [side](const SurfaceEdge& e) { return e.wall == side; });
-      if (own != sides_of_surface.end()) {
-        edge[i] = {own->a, own->b, none, 0};
-        continue;
-      }
-      edge[i] = {none, none, side, 0};
-      for (const PieceCorner& c : corners) {
-        if (edge[i].inside == 0) edge[i].inside = pieces.side(c, side);
-      }
+namespace {
+
+/// A grower of the tree's own, for one thread at a time.
+template <class State>
+class Loan {
+ public:
+  explicit Loan(State& state) : state_(state) {
+    const std::lock_guard lock(state_.mutex);
+    if (state_.idle.empty()) {
+      state_.growers.push_back(std::make_unique<TreeGrower>(state_.wholes));
+      state_.idle.push_back(state_.growers.back().get());
     }
-    out[k] = {piece.surface, static_cast<std::uint32_t>(corners.size()), edge, place, box_of({&piece, 1})};
+    grower_ = state_.idle.back();
+    state_.idle.pop_back();
+    before_ = grower_->size();
   }
-  n.pieces = {out, on.size()};
-  if (on.size() > tree_group) {
-    const std::size_t count = (on.size() + tree_group - 1) / tree_group;
-    TreeBox* const group = boxes.take(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t first = k * tree_group;
-      group[k] = box_of(std::span(on).subspan(first, std::min(tree_group, on.size() - first)));
-    }
-    n.groups = {group, count};
+  Loan(const Loan&) = delete;
+  Loan& operator=(const Loan&) = delete;
+  ~Loan() {
+    const BspTree::Size now = grower_->size();
+    const std::lock_guard lock(state_.mutex);
+    state_.size.nodes += now.nodes - before_.nodes;
+    state_.size.pieces += now.pieces - before_.pieces;
+    state_.size.bytes += now.bytes - before_.bytes;
+    state_.idle.push_back(grower_);  // never more than it has held
   }
-  piece_count += on.size();
+  TreeGrower* operator->() { return grower_; }
+
+ private:
+  State& state_;
+  TreeGrower* grower_;
+  BspTree::Size before_;
+};
+
+}  // namespace
+
+std::uint32_t BspTree::State::put(TreeLoad load) {
+  const std::lock_guard lock(mutex);
+  if (vacant.empty()) {
+    waiting.push_back(std::move(load));
+    return static_cast<std::uint32_t>(waiting.size() - 1);
+  }
+  const std::uint32_t place = vacant.back();
+  vacant.pop_back();
+  waiting[place] = std::move(load);
+  return place;
 }
 
-/// Pieces::sides, with a look at the box first: where the plane's value over the box is beyond all rounding, so is the
-/// piece. Values are of size 4 at most, with errors of some 2^-46 from the corners and 2^-50 of their own.
-int BspTree::State::sides(const Piece& piece, PlaneId plane) {
-  if (piece.plane == plane) return 0;
-  const ApproxPlane& p = scene.planes().approx(plane);
-  double middle = -p.d, reach = 0;
-  for (int k = 0; k < 3; ++k) {
-    middle += p.n[k] * (piece.low[k] + piece.high[k]) * 0.5;
-    reach += std::abs(p.n[k]) * (piece.high[k] - piece.low[k]) * 0.5;
-  }
-  constexpr double doubt = 0x1p-44;
-  if (middle > reach + doubt) return 2;
-  if (middle < -reach - doubt) return 1;
-  return pieces.sides(piece, plane);
+TreeLoad BspTree::State::take(std::uint32_t place) {
+  const std::lock_guard lock(mutex);
+  vacant.push_back(place);
+  return std::exchange(waiting[place], {});
 }
 
-void BspTree::State::divide_at(TreeNode& n, PlaneId plane) {
-  n.plane = plane;
-  on.clear();
-  front.clear();
-  std::size_t behind = n.first;
-  for (std::size_t k = n.first, end = n.first + n.count; k < end; ++k) {
-    const Piece piece = waiting[k];
-    switch (sides(piece, plane)) {
-      case 0:
-        on.push_back(piece);
-        break;
-      case 1:
-        waiting[behind++] = piece;
-        break;
-      case 2:
-        front.push_back(piece);
-        break;
-      default: {
-        Piece halves[2];
-        pieces.split(piece, plane, halves[0], halves[1]);
-        waiting[behind++] = halves[0];
-        front.push_back(halves[1]);
-      }
+void BspTree::State::plant(const TreeOptions& options) {
+  TreeLoad load;
+  {
+    Loan grower(*this);
+    root = grower->plant(load);
+    if (!root) return;
+    if (!options.lazy && (options.threads <= 1 || load.parts.size() <= grown_at_once)) {
+      grower->grow(*root, load);
+      return;
     }
   }
-  keep(n);
-  n.child[0] = node(n.first, behind - n.first);
-  std::size_t at = behind;
-  if (front.size() > n.first + n.count - behind) {  // more than fit in the node's own place
-    at = waiting.size();
-    waiting.resize(at + front.size());
+  if (options.lazy) {
+    root->waiting = put(std::move(load));
+    return;
   }
-  std::copy(front.begin(), front.end(), waiting.begin() + static_cast<std::ptrdiff_t>(at));
-  n.child[1] = node(at, front.size());
+  // The caller may have set a limit.
+  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(static_cast<int>(std::min<std::size_t>(options.threads, allowed)));
+  arena.execute([&] {
+    tbb::task_group group;
+    grow(group, *root, load);
+    group.wait();
+  });
 }
 
-void BspTree::State::divide_free(TreeNode& n, const TreeCut& cut) {
-  n.normal = cut.normal;
-  n.d = cut.d;
-  const auto begin = waiting.begin() + static_cast<std::ptrdiff_t>(n.first);
-  const auto end = begin + static_cast<std::ptrdiff_t>(n.count);
-  const auto middle = std::stable_partition(
-      begin, end, [&](const Piece& p) { return glm::dot(cut.normal, pieces.corners(p)[0].place.approx) < cut.d; });
-  const auto behind = static_cast<std::size_t>(middle - begin);
-  n.child[0] = node(n.first, behind);
-  n.child[1] = node(n.first + behind, n.count - behind);
+/// Large nodes are divided one by one, and hand over to whoever has time; nobody waits for anybody on the way.
+void BspTree::State::grow(tbb::task_group& group, TreeNode& node, TreeLoad& load) {
+  Loan grower(*this);
+  if (load.parts.size() <= grown_at_once) {
+    grower->grow(node, load);
+    return;
+  }
+  TreeLoad below[2];
+  grower->divide(node, load, below);
+  node.ready.store(true, std::memory_order_release);
+  for (const int k : {0, 1}) {
+    if (!node.child[k]) continue;
+    const auto handed = std::make_shared<TreeLoad>(std::move(below[k]));
+    group.run([this, &group, child = node.child[k], handed] { grow(group, *child, *handed); });
+  }
 }
 
-void BspTree::State::divide(TreeNode& n) {
-  const TreeCut cut = choice.choose(std::span(waiting).subspan(n.first, n.count), n.box);
-  if (cut.plane != none) {
-    divide_at(n, cut.plane);
-  } else {
-    divide_free(n, cut);
+/// Whoever comes first divides the node, the others wait for that.
+void BspTree::State::divide(TreeNode& node) {
+  const auto where = reinterpret_cast<std::uintptr_t>(&node) / sizeof(TreeNode);
+  const std::lock_guard door(doors[where % doors.size()]);
+  if (node.ready.load(std::memory_order_relaxed)) return;
+  TreeLoad load = take(node.waiting), below[2];
+  Loan grower(*this);
+  grower->divide(node, load, below);
+  for (const int k : {0, 1}) {
+    if (node.child[k]) node.child[k]->waiting = put(std::move(below[k]));
   }
-  ++node_count;
-  n.ready.store(true, std::memory_order_release);
+  node.ready.store(true, std::memory_order_release);
 }
 
 BspTree::BspTree(const Scene& scene, const TreeOptions& options) : state_(std::make_unique<State>(scene)) {
-  if (options.lazy || !state_->root) return;
-  std::vector<TreeNode*> below{state_->root};
-  while (!below.empty()) {
-    TreeNode* const n = below.back();
-    below.pop_back();
-    state_->divide(*n);
-    for (TreeNode* const child : n->child) {
-      if (child) below.push_back(child);
-    }
-  }
-  state_->waiting = {};
+  state_->plant(options);
 }
 BspTree::~BspTree() = default;
 BspTree::BspTree(BspTree&&) noexcept = default;
 BspTree& BspTree::operator=(BspTree&&) noexcept = default;
 
-const Scene& BspTree::scene() const { return state_->scene; }
+const Scene& BspTree::scene() const { return state_->wholes.scene(); }
 TreeNode* BspTree::root() const { return state_->root; }
-
-void BspTree::divide(TreeNode& node) const {
-  const std::lock_guard lock(state_->mutex);
-  if (!node.ready.load(std::memory_order_relaxed)) state_->divide(node);
-}
+void BspTree::divide(TreeNode& node) const { state_->divide(node); }
 
 BspTree::Size BspTree::size() const {
   const std::lock_guard lock(state_->mutex);
-  return {state_->node_count, state_->piece_count,
-          state_->nodes.bytes() + state_->kept.bytes() + state_->edges.bytes() + state_->places.bytes() +
-              state_->boxes.bytes() + state_->waiting.capacity() * sizeof(Piece)};
+  Size size = state_->size;
+  size.bytes += state_->wholes.bytes();
+  for (const TreeLoad& load : state_->waiting) size.bytes += load.bytes();
+  return size;
 }
 
 }  // namespace sightline

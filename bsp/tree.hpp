@@ -52,11 +52,12 @@ struct TreeNode {
   std::span<const TreeBox> groups;    // of `tree_group` pieces each; none where one would do
   TreeNode* child[2] = {};            // behind the plane and in front; null: nothing there
   std::atomic<bool> ready = false;    // whether it has been divided: what stands above but the box holds from then on
-  std::size_t first = 0, count = 0;   // until then: the pieces that wait
+  std::uint32_t waiting = 0;          // until then: the tree's own note of what waits here
 };
 
 struct TreeOptions {
-  bool lazy = false;  // divide a node when it is first asked for
+  bool lazy = false;     // divide a node when it is first asked for
+  unsigned threads = 1;  // that divide a tree which is not lazy; the tree is the same for any number
 };
 
 /// Fuchs, Kedem and Naylor's tree. Every piece of the scene's surfaces lies at exactly one node; polygons that cross a

@@ -1,55 +1,78 @@
 #include "bsp/tree_choice.hpp"
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 namespace sightline {
 namespace {
 
-constexpr std::size_t looked_at = 64;      // pieces among which candidates are chosen by area
+constexpr std::size_t looked_at = 64;      // parts of the sample among which candidates are chosen by area
 constexpr std::size_t candidates = 12;     // planes judged
-constexpr std::size_t counted = 192;       // pieces on which each is judged
-constexpr double flat = 0x1p-40;           // unit length below which a piece counts as lying in a plane
+constexpr double flat = 0x1p-40;           // unit length below which a part counts as lying in a plane
+constexpr float blurred = 0x1p-20f;        // what boxes and sums of floats may be off by
 constexpr std::size_t bins = 256;          // for gaps
-constexpr std::size_t sorted_up_to = 256;  // pieces among which gaps are found one by one
-constexpr double clear = 0x1p-42;          // unit length by which at least pieces keep clear of a plane in a gap
-constexpr std::size_t gaps_from = 8;       // pieces from which gaps are looked for
+constexpr std::size_t sorted_up_to = 256;  // parts among which gaps are found one by one
+constexpr std::size_t sampled = 8192;      // parts that tell whether there may be a gap among very many
+constexpr double narrow = 0x1p-18;         // unit length below which bins would be too small for floats
+constexpr std::size_t gaps_from = 8;       // parts from which gaps are looked for
 
 constexpr double weight_split = 8.0;  // per piece cut, as part of all
 constexpr double weight_hair = 0.3;   // as part of that: one within rounding of the cut, mostly on one side
 constexpr double weight_area = 1.0;   // pieces on each side, weighted by the surface of that side
 constexpr double weight_cover = 1.0;  // opaque part of the cut
 
+/// Order-preserving.
+std::uint32_t ordered(float x) {
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  return bits >> 31 ? ~bits : bits | 0x80000000u;
+}
+float unordered(std::uint32_t x) { return std::bit_cast<float>(x >> 31 ? x & 0x7fffffffu : ~x); }
+
 }  // namespace
 
-TreeChoice::Count TreeChoice::count(std::span<const Piece> here, std::size_t stride, PlaneId plane) const {
-  Count n;
-  const ApproxPlane& p = planes_.approx(plane);
-  for (std::size_t k = 0; k < here.size(); k += stride) {
-    const Piece& piece = here[k];
-    if (piece.plane == plane) {
-      n.on += 1;
-      n.covered += pieces_.area(piece);
-      continue;
-    }
-    double middle = -p.d, reach = 0;
+void TreeChoice::take_sample(std::span<const TreePart> here) {
+  step_ = here.size() / counted + 1;
+  size_ = 0;
+  cornered_ = false;
+  for (std::size_t k = 0; k < here.size(); k += step_) {
+    const RoundedBox& box = parts_.along(here[k]);
     for (int i = 0; i < 3; ++i) {
-      middle += p.n[i] * (piece.low[i] + piece.high[i]) * 0.5;
-      reach += std::abs(p.n[i]) * (piece.high[i] - piece.low[i]) * 0.5;
+      middle_[i][size_] = (box.low[i] + box.high[i]) * 0.5f;
+      half_[i][size_] = (box.high[i] - box.low[i]) * 0.5f;
     }
-    bool behind = middle - reach < -flat;
-    bool front = middle + reach > flat;
-    if (behind && front && planes_.axis(plane) < 0) {
-      behind = front = false;
-      for (const PieceCorner& c : pieces_.corners(piece)) {
-        const double s = p.n[0] * c.place.approx.x + p.n[1] * c.place.approx.y + p.n[2] * c.place.approx.z - p.d;
+    area_[size_] = parts_.area(here[k]);
+    plane_[size_++] = parts_.plane(here[k]);
+  }
+}
+
+void TreeChoice::take_corners(std::span<const TreePart> here) {
+  cornered_ = true;
+  for (auto& c : corner_) c.clear();
+  for (std::size_t j = 0; j < size_; ++j) {
+    first_corner_[j] = static_cast<std::uint32_t>(corner_[0].size());
+    parts_.for_corners(here[j * step_], [&](const glm::dvec3& p) {
+      for (int k = 0; k < 3; ++k) corner_[k].push_back(p[k]);
+    });
+    while (corner_[0].size() % 4 != 0) {
+      for (auto& c : corner_) c.push_back(c.back());
+    }
+  }
+  first_corner_[size_] = static_cast<std::uint32_t>(corner_[0].size());
+}
+
+/// A box that a plane passes through, or comes near to, does not tell where the part lies.
+void TreeChoice::count_corners(Count& n, const ApproxPlane& plane) const {
+  for (std::size_t j = 0; j < size_; ++j) {
+    if (sides_[j] != 3) continue;
+    int behind = 0, front = 0;
+    for (std::size_t k = first_corner_[j]; k < first_corner_[j + 1]; k += 4) {
+      for (std::size_t i = k; i < k + 4; ++i) {
+        const double s = plane.n[0] * corner_[0][i] + plane.n[1] * corner_[1][i] + plane.n[2] * corner_[2][i] - plane.d;
         behind |= s < -flat;
         front |= s > flat;
       }
     }
-    if (behind == front) {
+    if (behind == front) {  // one that is a hair beside the plane counts as cut in part
       const double cut = behind ? 1 : weight_hair;
       n.split += cut;
       n.behind += (1 - cut) / 2;
@@ -58,99 +81,145 @@ TreeChoice::Count TreeChoice::count(std::span<const Piece> here, std::size_t str
       (behind ? n.behind : n.front) += 1;
     }
   }
+}
+
+TreeChoice::Count TreeChoice::count(std::span<const TreePart> here, PlaneId plane) {
+  const ApproxPlane& p = planes_.approx(plane);
+  const glm::dvec3 normal = parts_.frame().of({p.n[0], p.n[1], p.n[2]});
+  const auto x = static_cast<float>(normal.x), y = static_cast<float>(normal.y), z = static_cast<float>(normal.z),
+             d = static_cast<float>(p.d);
+  const float rx = std::abs(x), ry = std::abs(y), rz = std::abs(z);
+  const bool along = rx + ry + rz < std::max({rx, ry, rz}) * (1 + 0x1p-20f);  // the frame: boxes tell all
+  const float blur = along ? blurred : 0;
+  int behind = 0, front = 0, on = 0, both = 0;
+  for (std::size_t k = 0; k < size_; ++k) {  // no branches: the compiler takes several at a time
+    const float middle = x * middle_[0][k] + y * middle_[1][k] + z * middle_[2][k] - d;
+    const float reach = rx * half_[0][k] + ry * half_[1][k] + rz * half_[2][k] - blur;
+    const int in = plane_[k] == plane, below = middle<reach, above = middle> - reach;
+    const int sides = ((below | above << 1) & (in - 1)) | in << 2;
+    sides_[k] = sides;
+    behind += sides == 1;
+    front += sides == 2;
+    both += sides == 3;
+    on += in;
+  }
+  Count n;
+  n.behind = behind;
+  n.front = front;
+  n.on = on;
+  for (std::size_t k = 0; on > 0 && k < size_; ++k) n.covered += sides_[k] == 4 ? static_cast<double>(area_[k]) : 0.0;
+  // Those that are a hair beside a plane count as cut in part.
+  const double hair = static_cast<double>(size_) - behind - front - both - on;
+  n.split = hair * weight_hair;
+  n.behind += hair * (1 - weight_hair) / 2;
+  n.front += hair * (1 - weight_hair) / 2;
+  if (along) n.split += both;
+  if (along || both == 0) return n;
+  if (!cornered_) take_corners(here);
+  count_corners(n, p);
   return n;
 }
 
-double TreeChoice::cost(const Count& n, const TreeBox& box, PlaneId plane) const {
-  const ApproxPlane& p = planes_.approx(plane);
-  const glm::dvec3 size = box.half * 2.0;
-  const int k = main_axis(p.n);
-  const double at =
-      (p.d - p.n[(k + 1) % 3] * box.middle[(k + 1) % 3] - p.n[(k + 2) % 3] * box.middle[(k + 2) % 3]) / p.n[k];
+double TreeChoice::cost(const Count& n, const ApproxPlane& p) const {
+  const glm::dvec3 normal = parts_.frame().of({p.n[0], p.n[1], p.n[2]});
+  glm::dvec3 size, middle;
+  for (int i = 0; i < 3; ++i) {
+    size[i] = static_cast<double>(box_.high[i]) - box_.low[i];
+    middle[i] = (static_cast<double>(box_.high[i]) + box_.low[i]) * 0.5;
+  }
+  const int k = main_axis(&normal.x), k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+  const double at = (p.d - normal[k1] * middle[k1] - normal[k2] * middle[k2]) / normal[k];
   glm::dvec3 below = size, above = size;
-  below[k] = std::clamp(at - box.middle[k] + box.half[k], 0.0, size[k]);
+  below[k] = std::clamp(at - box_.low[k], 0.0, size[k]);
   above[k] = size[k] - below[k];
   const double all = surface(size);
-  double behind = all > 0 ? surface(below) / all : 0.5, front = all > 0 ? surface(above) / all : 0.5;
-  if (p.n[k] < 0) std::swap(behind, front);
+  double behind = surface(below) / all, front = surface(above) / all;
+  if (normal[k] < 0) std::swap(behind, front);
   const double total = n.behind + n.front + n.split + n.on;
-  const double section = size[(k + 1) % 3] * size[(k + 2) % 3] / std::abs(p.n[k]);
-  const double cover = section > 0 ? std::min(1.0, n.covered / section) : 1.0;
+  const double section = size[k1] * size[k2] / std::abs(normal[k]);
+  const double cover = std::min(1.0, n.covered / section);
   return weight_split * n.split / total +
          weight_area * (behind * (n.behind + n.split) + front * (n.front + n.split)) / total - weight_cover * cover;
 }
 
-void TreeChoice::measure(std::span<const Piece> here, const glm::dvec3& normal) {
+void TreeChoice::judge(int axis, double at, double before, double total, TreeCut& cut, double& least) const {
+  const double low = box_.low[axis], behind = (at - low) / (box_.high[axis] - low);
+  const double now = weight_area * (0.2 + 0.8 * (behind * before + (1 - behind) * (total - before)) / total);
+  if (now >= least) return;
+  least = now;
+  cut = {none, axis, at};
+}
+
+/// One by one, by their order.
+void TreeChoice::find_narrow_gaps(std::span<const TreePart> here, int axis, TreeCut& cut, double& least) {
   extents_.clear();
-  for (int k = 0; k < 3; ++k) {
-    if (normal[k] != 1) continue;
-    for (const Piece& p : here) extents_.push_back({p.low[k], p.high[k]});
-    return;
+  for (const TreePart part : here) {
+    const RoundedBox& box = parts_.along(part);
+    extents_.push_back(std::uint64_t{ordered(box.low[axis])} << 32 | ordered(box.high[axis]));
   }
-  for (const Piece& p : here) {
-    Extent e{INFINITY, -INFINITY};
-    for (const PieceCorner& c : pieces_.corners(p)) {
-      const double value = glm::dot(normal, c.place.approx);
-      e.low = std::min(e.low, value);
-      e.high = std::max(e.high, value);
+  std::sort(extents_.begin(), extents_.end());
+  auto reached = static_cast<std::uint32_t>(extents_[0]);
+  for (std::size_t k = 1; k < extents_.size(); ++k) {
+    const auto low = static_cast<std::uint32_t>(extents_[k] >> 32);
+    if (low > reached) {
+      const double at = (static_cast<double>(unordered(low)) + unordered(reached)) * 0.5;
+      judge(axis, at, static_cast<double>(k), static_cast<double>(here.size()), cut, least);
     }
-    extents_.push_back(e);
+    reached = std::max(reached, static_cast<std::uint32_t>(extents_[k]));
   }
 }
 
-/// Judges the gaps between the pieces along a normal: few pieces by their order, many by bins, of which an empty one
-/// between two that are covered is a gap.
-void TreeChoice::find_gap(std::span<const Piece> here, const glm::dvec3& normal, TreeCut& cut, double& least) {
-  measure(here, normal);
-  double low = INFINITY, high = -INFINITY;
-  for (const Extent& e : extents_) {
-    low = std::min(low, e.low);
-    high = std::max(high, e.high);
-  }
-  const double size = high - low, total = static_cast<double>(here.size());
-  if (!(size > 8 * clear)) return;
-  const auto judge = [&](double at, double before) {
-    const double behind = (at - low) / size;
-    const double now = weight_area * (0.2 + 0.8 * (behind * before + (1 - behind) * (total - before)) / total);
-    if (now >= least) return;
-    least = now;
-    cut = {none, normal, at};
-  };
+/// Judges the gaps between the parts along the frame: few parts by their order, many by bins.
+void TreeChoice::find_gaps(std::span<const TreePart> here, TreeCut& cut, double& least) {
   if (here.size() <= sorted_up_to) {
-    std::sort(extents_.begin(), extents_.end(), [](const Extent& a, const Extent& b) { return a.low < b.low; });
-    double reached = extents_[0].high;
-    for (std::size_t k = 1; k < extents_.size(); ++k) {
-      if (extents_[k].low - reached > 4 * clear) judge((extents_[k].low + reached) * 0.5, static_cast<double>(k));
-      reached = std::max(reached, extents_[k].high);
-    }
+    for (int axis = 0; axis < 3; ++axis) find_narrow_gaps(here, axis, cut, least);
     return;
   }
-  enter_.assign(bins + 1, 0);
-  leave_.assign(bins + 1, 0);
-  const double scale = static_cast<double>(bins) / size;
-  const auto bin = [&](double x) {
-    return static_cast<std::size_t>(std::clamp((x - low) * scale, 0.0, static_cast<double>(bins - 1)));
-  };
-  for (const Extent& e : extents_) {
-    ++enter_[bin(e.low)];
-    ++leave_[bin(e.high) + 1];
+  // Where a part of them leaves no gap all of them leave none.
+  if (here.size() > 4 * sampled) {
+    double hoped = least;
+    TreeCut any;
+    find_wide_gaps(here, here.size() / sampled, any, hoped);
+    if (hoped >= least) return;
   }
-  std::size_t begun = 0, ended = 0;
-  for (std::size_t k = 0; k < bins && size > static_cast<double>(bins) * 8 * clear; ++k) {
-    begun += enter_[k];
-    ended += leave_[k];
-    // Whoever stands in the bin has begun and not ended.
-    if (begun != ended || begun == 0 || begun == here.size()) continue;
-    judge(low + (static_cast<double>(k) + 0.5) / scale, static_cast<double>(begun));
+  find_wide_gaps(here, 1, cut, least);
+}
+
+/// By bins, of which an empty one between two that are covered is a gap; of every so many parts.
+void TreeChoice::find_wide_gaps(std::span<const TreePart> here, std::size_t step, TreeCut& cut, double& least) {
+  bins_.assign(6 * (bins + 1), 0);
+  float scale[3];
+  for (int k = 0; k < 3; ++k) scale[k] = static_cast<float>(bins) / (box_.high[k] - box_.low[k]);
+  const std::size_t total = (here.size() - 1) / step + 1;
+  for (std::size_t at = 0; at < here.size(); at += step) {
+    const RoundedBox& box = parts_.along(here[at]);
+    for (int k = 0; k < 3; ++k) {
+      const auto bin = [&](float x) {
+        return static_cast<std::uint32_t>(std::min((x - box_.low[k]) * scale[k], static_cast<float>(bins - 1)));
+      };
+      const auto row = static_cast<std::uint32_t>(k) * 2 * (bins + 1);
+      ++bins_[row + bin(box.low[k])];
+      ++bins_[row + bins + 1 + bin(box.high[k]) + 1];
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(box_.high[axis] - box_.low[axis] > narrow)) continue;
+    const std::uint32_t *const enter = bins_.data() + axis * 2 * (bins + 1), *const leave = enter + bins + 1;
+    std::size_t begun = 0, ended = 0;
+    for (std::size_t k = 0; k < bins; ++k) {
+      begun += enter[k];
+      ended += leave[k];
+      // Whoever stands in the bin has begun and not ended.
+      if (begun != ended || begun == 0 || begun == total) continue;
+      const double at = box_.low[axis] + (static_cast<double>(k) + 0.5) / scale[axis];
+      judge(axis, at, static_cast<double>(begun), static_cast<double>(total), cut, least);
+    }
   }
 }
 
-TreeCut TreeChoice::choose(std::span<const Piece> here, const TreeBox& box) {
-  TreeCut best{here[0].plane, {}, 0};
-  if (here.size() == 1) return best;
+void TreeChoice::choose_candidates() {
   candidates_.clear();
-  const std::size_t step = here.size() / looked_at + 1;
-  for (std::size_t k = 0; k < here.size(); k += step) candidates_.push_back({-pieces_.area(here[k]), here[k].plane});
+  for (std::size_t k = 0; k < size_; k += size_ / looked_at + 1) candidates_.push_back({-area_[k], plane_[k]});
   if (candidates_.size() > candidates) {
     std::nth_element(candidates_.begin(), candidates_.begin() + candidates, candidates_.end());
     candidates_.resize(candidates);
@@ -159,27 +228,22 @@ TreeCut TreeChoice::choose(std::span<const Piece> here, const TreeBox& box) {
   const auto last =
       std::unique(candidates_.begin(), candidates_.end(), [](auto& a, auto& b) { return a.second == b.second; });
   candidates_.erase(last, candidates_.end());
-  const std::size_t stride = here.size() / counted + 1;
+}
+
+TreeCut TreeChoice::choose(std::span<const TreePart> here, const RoundedBox& along) {
+  TreeCut best{parts_.plane(here[0]), -1, 0};
+  if (here.size() == 1) return best;
+  box_ = along;
+  take_sample(here);
+  choose_candidates();
   double least = INFINITY;
   for (const auto& [negative, plane] : candidates_) {
-    const double now = cost(count(here, stride, plane), box, plane);
+    const double now = cost(count(here, plane), planes_.approx(plane));
     if (now >= least) continue;
     least = now;
-    best = {plane, {}, 0};
+    best.plane = plane;
   }
-  if (here.size() < gaps_from) return best;
-  // Along the axes, and along the planes of large pieces that are turned against them.
-  normals_.assign({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-  for (const auto& [negative, plane] : candidates_) {
-    if (planes_.axis(plane) >= 0 || normals_.size() == 6) continue;
-    const ApproxPlane& p = planes_.approx(plane);
-    const glm::dvec3 normal{p.n[0], p.n[1], p.n[2]};
-    const auto alike = [&](const glm::dvec3& other) {
-      return glm::length(glm::cross(normal, other)) < 0x1p-20 * glm::length(normal) * glm::length(other);
-    };
-    if (std::none_of(normals_.begin(), normals_.end(), alike)) normals_.push_back(normal);
-  }
-  for (const glm::dvec3& normal : normals_) find_gap(here, normal, best, least);
+  if (here.size() >= gaps_from) find_gaps(here, best, least);
   return best;
 }
 

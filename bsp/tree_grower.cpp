@@ -1,0 +1,197 @@
+#include "bsp/tree_grower.hpp"
+
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace sightline {
+namespace {
+
+// Corners of pieces are within 2^-48 of their doubles (the law of ImplicitVertex and PointTable).
+constexpr double slack = 0x1p-47;
+
+TreeBox box_between(const glm::dvec3& low, const glm::dvec3& high) {
+  return {(low + high) * 0.5, (high - low) * 0.5 + slack};
+}
+
+TreeBox box_of(std::span<const TreePiece> pieces) {
+  glm::dvec3 low = pieces[0].box.middle - pieces[0].box.half, high = pieces[0].box.middle + pieces[0].box.half;
+  for (const TreePiece& p : pieces) {
+    low = glm::min(low, p.box.middle - p.box.half);
+    high = glm::max(high, p.box.middle + p.box.half);
+  }
+  return box_between(low, high);
+}
+
+}  // namespace
+
+TreeNode* TreeGrower::plant(TreeLoad& load) {
+  parts_.take_all(load);
+  parts_.swap_arena(load);
+  Extent extent;
+  for (const TreePart p : load.parts) extent.add(parts_, p);
+  parts_.swap_arena(load);
+  TreeNode* const root = node_of(load.parts.size(), extent);
+  load.along = extent.along;
+  return root;
+}
+
+/// A node for so many parts within these bounds.
+TreeNode* TreeGrower::node_of(std::size_t count, Extent& extent) {
+  if (count == 0) return nullptr;
+  const RoundedBox& box = extent.box;
+  if (!parts_.frame().turned()) extent.along = box;
+  TreeNode* const n = nodes_.take(1);
+  n->box = box_between({box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]});
+  return n;
+}
+
+/// Sides and corners. The corner before a side of a whole surface is where the side before it ends.
+void TreeGrower::keep_edges(TreePart part, TreePiece& out) {
+  const auto sides = scene_.edges(scene_.surfaces()[out.surface]);
+  const bool whole = parts_.whole(part);
+  const auto corners = whole ? std::span<const PieceCorner>{} : parts_.corners(part);
+  out.count = static_cast<std::uint32_t>(whole ? sides.size() : corners.size());
+  TreeEdge* const edge = edges_.take(out.count);
+  TreeCorner* const corner = corners_.take(out.count);
+  out.edge = edge;
+  out.corner = corner;
+  for (std::size_t i = 0; whole && i < sides.size(); ++i) {
+    const PointId begin = sides[i == 0 ? sides.size() - 1 : i - 1].corner;
+    edge[i] = {sides[i].a, sides[i].b, none, 0};
+    corner[i] = {scene_.points().approx(begin), begin};
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const PieceCorner& c = corners[i];
+    const auto own = std::find_if(sides.begin(), sides.end(), [&c](const SurfaceEdge& e) { return e.wall == c.side; });
+    edge[i] = own != sides.end() ? TreeEdge{own->a, own->b, none, 0} : TreeEdge{none, none, c.side, c.inside};
+    corner[i] = {c.place.approx, c.point};
+  }
+}
+
+/// The parts in the node's plane take their last form.
+void TreeGrower::keep(TreeNode& node) {
+  std::sort(on_.begin(), on_.end(), [this](TreePart a, TreePart b) { return parts_.surface(a) < parts_.surface(b); });
+  TreePiece* const out = kept_.take(on_.size());
+  for (std::size_t k = 0; k < on_.size(); ++k) {
+    out[k].surface = parts_.surface(on_[k]);
+    keep_edges(on_[k], out[k]);
+    glm::dvec3 low{INFINITY}, high{-INFINITY};
+    for (const TreeCorner& c : out[k].corners()) {
+      low = glm::min(low, c.at);
+      high = glm::max(high, c.at);
+    }
+    out[k].box = box_between(low, high);
+  }
+  node.pieces = {out, on_.size()};
+  pieces_kept_ += on_.size();
+  if (on_.size() <= tree_group) return;
+  const std::size_t count = (on_.size() + tree_group - 1) / tree_group;
+  TreeBox* const group = boxes_.take(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t first = k * tree_group;
+    group[k] = box_of(node.pieces.subspan(first, std::min(tree_group, on_.size() - first)));
+  }
+  node.groups = {group, count};
+}
+
+std::size_t TreeGrower::part_by_plane(std::span<TreePart> here, PlaneId plane) {
+  parts_.aim(plane);
+  std::size_t behind = 0;
+  for (const TreePart p : here) {
+    switch (parts_.sides(p)) {
+      case 0:
+        on_.push_back(p);
+        break;
+      case 1:
+        here[behind++] = p;
+        extent_[0].add(parts_, p);
+        break;
+      case 2:
+        front_.push_back(p);
+        extent_[1].add(parts_, p);
+        break;
+      default: {
+        TreePart halves[2];
+        parts_.split(p, halves[0], halves[1]);
+        for (const int k : {0, 1}) extent_[k].add(parts_, halves[k]);
+        here[behind++] = halves[0];
+        front_.push_back(halves[1]);
+      }
+    }
+  }
+  return behind;
+}
+
+std::size_t TreeGrower::part_in_gap(std::span<TreePart> here, int axis, double d) {
+  std::size_t behind = 0;
+  for (const TreePart p : here) {
+    const bool front = parts_.along(p).low[axis] > d;
+    extent_[front].add(parts_, p);
+    if (front) {
+      front_.push_back(p);
+    } else {
+      here[behind++] = p;
+    }
+  }
+  return behind;
+}
+
+/// Those behind come to stand first, the others in front_.
+std::size_t TreeGrower::part(TreeNode& node, std::span<TreePart> here, const RoundedBox& along) {
+  const TreeCut cut = choice_.choose(here, along);
+  on_.clear();
+  front_.clear();
+  for (Extent& extent : extent_) extent = {};
+  std::size_t behind = 0;
+  if (cut.plane != none) {
+    node.plane = cut.plane;
+    behind = part_by_plane(here, cut.plane);
+    keep(node);
+  } else {
+    node.normal = parts_.frame().direction(cut.axis);
+    node.d = cut.d;
+    behind = part_in_gap(here, cut.axis, cut.d);
+  }
+  node.child[0] = node_of(behind, extent_[0]);
+  node.child[1] = node_of(front_.size(), extent_[1]);
+  ++nodes_divided_;
+  return behind;
+}
+
+void TreeGrower::divide(TreeNode& node, TreeLoad& load, TreeLoad below[2]) {
+  parts_.swap_arena(load);
+  front_.reserve(load.parts.size());  // what is not written to costs nothing
+  load.parts.resize(part(node, load.parts, load.along));
+  parts_.pack(load.parts, below[0]);
+  parts_.pack(front_, below[1]);
+  for (const int k : {0, 1}) below[k].along = extent_[k].along;
+  parts_.truncate({});
+}
+
+void TreeGrower::grow(TreeNode& node, TreeLoad& load) {
+  struct Task {
+    TreeNode* node;
+    std::size_t first;     // its parts are waiting_[first ..] when its turn comes
+    TreeParts::Mark mark;  // and the arena then ends there
+    RoundedBox along;
+  };
+  waiting_ = std::move(load.parts);
+  parts_.swap_arena(load);
+  std::vector<Task> tasks{{&node, 0, parts_.mark(), load.along}};
+  while (!tasks.empty()) {
+    const Task task = tasks.back();
+    tasks.pop_back();
+    parts_.truncate(task.mark);
+    const std::size_t behind = part(*task.node, std::span(waiting_).subspan(task.first), task.along);
+    task.node->ready.store(true, std::memory_order_release);
+    waiting_.resize(task.first + behind);
+    waiting_.insert(waiting_.end(), front_.begin(), front_.end());
+    const std::size_t first[2] = {task.first, task.first + behind};
+    for (const std::size_t k : {0u, 1u}) {
+      if (task.node->child[k]) tasks.push_back({task.node->child[k], first[k], parts_.mark(), extent_[k].along});
+    }
+  }
+  parts_.truncate({});
+}
+
+}  // namespace sightline
