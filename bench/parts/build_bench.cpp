@@ -1,6 +1,7 @@
 // From polygons to the complex: making the scene exact, cutting cells, the whole build.
 #include <benchmark/benchmark.h>
 
+#include "beam/trace.hpp"
 #include "bsp/build.hpp"
 #include "bsp/tree.hpp"
 #include "models/model.hpp"
@@ -52,15 +53,34 @@ BENCHMARK_CAPTURE(build, random, "random", 0)->Arg(100)->Unit(benchmark::kMillis
 BENCHMARK_CAPTURE(build, building, "building", 0)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(build, building_rotated, "building", 17)->Arg(1'000)->Unit(benchmark::kMillisecond);
 
-void tree(benchmark::State& state, const char* name, double rotate) {
+void tree(benchmark::State& state, const char* name, double rotate, unsigned threads = 1) {
   const Scene made = make_scene(model(name, state.range(0), rotate));
-  for (auto _ : state) benchmark::DoNotOptimize(BspTree(made));
+  for (auto _ : state) benchmark::DoNotOptimize(BspTree(made, {.threads = threads}));
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK_CAPTURE(tree, city, "city", 0)->Arg(1'125)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tree, random, "random", 0)->Arg(1'000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(tree, building, "building", 0)->Arg(1'000)->Arg(10'000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(tree, building_rotated, "building", 17)->Arg(10'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tree, building, "building", 0)
+    ->RangeMultiplier(10)
+    ->Range(1'000, 1'000'000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tree, building_rotated, "building", 17)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tree, building_by_two, "building", 0, 2)->Arg(100'000)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// A lazy tree and the first map on it.
+void first_map(benchmark::State& state) {
+  const Model building = make_model("building", {.polygons = static_cast<std::uint32_t>(state.range(0))});
+  const Scene made = make_scene(building.soup);
+  const CameraLine& c = building.cameras.front();
+  const Camera camera = make_camera(c.eye, c.forward, c.up, c.vertical_fov_degrees, c.aspect);
+  for (auto _ : state) {
+    const BspTree tree(made, {.lazy = true});
+    VisibilityMap map;
+    Tracer(tree).trace(camera, map);
+    benchmark::DoNotOptimize(map);
+  }
+}
+BENCHMARK(first_map)->RangeMultiplier(10)->Range(10'000, 1'000'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace sightline::bench
