@@ -6,7 +6,8 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache pkg-config
   libglm-dev libgmp-dev libcairo2-dev   # the library: vectors, integers, pictures
-  libcli11-dev libtbb-dev               # the command: options, threads
+  libtbb-dev                            # and threads
+  libcli11-dev                          # the command: options
   nlohmann-json3-dev libeigen3-dev
   libcgal-dev                           # the slow, independent way to the same answers: tests and sightline-verify
   libgtest-dev librapidcheck-dev libbenchmark-dev
