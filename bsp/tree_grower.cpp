@@ -1,5 +1,6 @@
 #include "bsp/tree_grower.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -126,6 +127,7 @@ std::size_t TreeGrower::part_in_gap(std::span<TreePart> here, int axis, double d
   std::size_t behind = 0;
   for (const TreePart p : here) {
     const bool front = parts_.along(p).low[axis] > d;
+    assert(front || parts_.along(p).high[axis] < d);
     extent_[front].add(parts_, p);
     if (front) {
       front_.push_back(p);
