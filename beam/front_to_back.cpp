@@ -150,8 +150,9 @@ bool FrontToBack::halve(const Patch& patch, Patch& a, Patch& b) {
   std::nth_element(middles_.begin(), middle, middles_.end());
   glm::dvec3 n = (axis == 0 ? frame_.across() : frame_.upwards()) - double{*middle} * frame_.ahead();
   n *= 0x1p20 / std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-  const SightlineRef line =
-      view.table.of_normal({Integer(std::round(n.x)), Integer(std::round(n.y)), Integer(std::round(n.z))});
+  std::uint64_t words[3];
+  for (int k = 0; k < 3; ++k) words[k] = static_cast<std::uint64_t>(std::llround(n[k]));
+  const SightlineRef line = view.table.of_normal(words, 1);
   return patches_.split(patch, line, a, b);
 }
 

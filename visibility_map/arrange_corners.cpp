@@ -10,31 +10,12 @@ namespace {
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The exact cross product of two canonical normals, scaled so that its largest component lies in [1/2, 1); each
-/// component within 2^-52 (mpz_get_d_2exp truncates).
-glm::dvec3 exact_cross(const SightlineTable& table, SightlineId low, SightlineId high) {
-  const std::array<Integer, 3> a = table.normal(low), b = table.normal(high);
-  double part[3];
-  long exponent[3], top = std::numeric_limits<long>::min();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const Integer c = a[i] * b[j] - a[j] * b[i];
-    part[k] = mpz_get_d_2exp(&exponent[k], c.get_mpz_t());
-    if (part[k] != 0) top = std::max(top, exponent[k]);
-  }
-  glm::dvec3 r;
-  for (int k = 0; k < 3; ++k) {
-    r[k] = part[k] == 0 ? 0 : std::ldexp(part[k], static_cast<int>(std::max(exponent[k] - top, -2000l)));
-  }
-  return r;
-}
-
 /// Components of normals are at most 1 and within u = 2^-53, so a component of the product is within 4u (inputs) + 2u
 /// (rounded products) + 2u (rounded difference) + O(u^2) < 9u. Where the product is short, that says little about the
 /// ray's direction, and it is computed exactly instead.
 glm::dvec3 approximate(const SightlineTable& table, SightlineId low, SightlineId high) {
   const glm::dvec3 r = glm::cross(table.approx(low), table.approx(high));
-  return largest(r) >= 0x1p-10 ? r : exact_cross(table, low, high);
+  return largest(r) >= 0x1p-10 ? r : table.corner(low, high);
 }
 
 void create(State& s, const FragmentCorner& corner) {
