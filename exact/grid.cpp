@@ -206,6 +206,13 @@ double Grid::world(const Integer& c, int axis) const {
   return nearest_double(Integer(sum * unit_.get_num()), unit_.get_den());
 }
 
+double Grid::world(const Integer& numerator, const Integer& denominator, int axis) const {
+  const Integer sum = numerator + origin_[static_cast<std::size_t>(axis)] * denominator;
+  if (!snap_.empty()) return nearest_double(Integer(sum * unit_.get_num()), Integer(denominator * unit_.get_den()));
+  if (exponent_ >= 0) return nearest_double(shifted(sum, exponent_), denominator);
+  return nearest_double(sum, shifted(denominator, -exponent_));
+}
+
 glm::dvec3 Grid::unit(const glm::dvec3& world) const {
   glm::dvec3 u{0};
   const Integer unit_length = shifted(Integer(1), unit_bits_);

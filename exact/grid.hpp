@@ -45,6 +45,8 @@ class Grid {
   bool short_point(const glm::dvec3& world, std::array<std::int64_t, 3>& c) const;
   /// The double nearest to a grid coordinate's world value.
   double world(const Integer& c, int axis) const;
+  /// The same of the grid coordinate numerator / denominator; denominator not zero.
+  double world(const Integer& numerator, const Integer& denominator, int axis) const;
   /// Unit coordinate of a world coordinate, rounded; for boxes and drawings, never for decisions.
   glm::dvec3 unit(const glm::dvec3& world) const;
 

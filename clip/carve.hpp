@@ -1,0 +1,41 @@
+// Recursive shallow clipping. For this folder's own use.
+#pragma once
+
+#include "clip/shadows.hpp"
+
+namespace sightline {
+
+enum class Sight : std::uint8_t { hidden, partly, visible };
+
+struct CarvedPart {
+  Outline outline;
+  Sight sight;
+};
+
+/// Cuts an outline by shadows, that of the largest overlap first, until every part is wholly in one of them or wholly
+/// outside of all. What turns out to be hidden altogether is left whole, at every depth: so which proof of that is found,
+/// and when, changes no result.
+class Carver {
+ public:
+  /// `threshold`: the area (unit coordinates) below which a partly visible part is not cut.
+  Carver(Outlines& outlines, double threshold) : outlines_(outlines), threshold_(threshold) {}
+
+  /// Appends the parts of the outline; true if any of it is visible.
+  bool carve(const Outline& outline, std::span<const OutlineSide> frame, std::span<const Shadow> shadows,
+             std::vector<CarvedPart>& parts);
+  std::uint64_t cuts() const { return cuts_; }
+
+ private:
+  bool carve(const Outline& outline, std::span<const std::uint32_t> candidates, std::vector<CarvedPart>& parts);
+  bool cut(const Outline& outline, std::span<const OutlineSide> lines, Outline& inside, std::vector<Outline>& outside);
+  bool apart(const Outline& outline, const Shadow& shadow);
+  double overlap(const Outline& outline, const Shadow& shadow);
+
+  Outlines& outlines_;
+  double threshold_;
+  std::span<const Shadow> shadows_;
+  std::uint64_t cuts_ = 0;
+  std::vector<glm::dvec2> figure_, clipped_;
+};
+
+}  // namespace sightline

@@ -1,0 +1,69 @@
+#include "clip/surface_clipper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sightline {
+
+SurfaceClipper::SurfaceClipper(const Scene& scene, const BoxTree& tree, std::span<const Camera> cameras,
+                               const ClipOptions& options)
+    : scene_(scene), options_(options), finder_(scene, tree) {
+  for (std::uint32_t c = 0; c < cameras.size(); ++c) {
+    std::span<const TextureRegion> regions;
+    if (c < options.regions.size()) regions = options.regions[c];
+    views_.emplace_back(scene, cameras[c], c, regions);
+  }
+  const double unit = std::ldexp(scene.grid().step(), scene.grid().unit_bits());
+  threshold_ = options.threshold / (unit * unit);
+}
+
+ClippedSurface SurfaceClipper::clip(SurfaceId surface) {
+  Outlines outlines(scene_, surface);
+  Carver carver(outlines, threshold_);
+  const CameraSet nobody(views_.size());
+  std::vector<SurfacePiece> pieces{{outlines.whole(), nobody, nobody}}, next;
+  std::vector<OutlineSide> frame;
+  std::vector<Shadow> shadows;
+  std::vector<CarvedPart> parts;
+  for (std::size_t c = 0; c < views_.size(); ++c) {
+    if (finder_.find(surface, views_[c], outlines, frame, shadows) == ShadowFinder::unseen) continue;
+    stats_.shadows += shadows.size();
+    next.clear();
+    for (SurfacePiece& piece : pieces) {
+      parts.clear();
+      if (!carver.carve(piece.outline, frame, shadows, parts)) {
+        next.push_back(std::move(piece));
+        continue;
+      }
+      for (CarvedPart& part : parts) {
+        next.push_back({std::move(part.outline), piece.wholly, piece.partly});
+        if (part.sight == Sight::visible) next.back().wholly.add(c);
+        if (part.sight == Sight::partly) next.back().partly.add(c);
+      }
+    }
+    pieces.swap(next);
+    unite(pieces, outlines);
+  }
+  stats_.cuts += carver.cuts();
+  ClippedSurface out;
+  finish(pieces, outlines, out);
+  return out;
+}
+
+void SurfaceClipper::finish(std::vector<SurfacePiece>& pieces, Outlines& outlines, ClippedSurface& out) const {
+  // Counter-clockwise from the plane's front: backwards where the axis looked along runs against the normal.
+  const bool forwards = scene_.planes().approx(outlines.lines().plane()).n[outlines.lines().axis()] > 0;
+  for (SurfacePiece& piece : pieces) {
+    const Outline& o = piece.outline;
+    const std::size_t n = o.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      // Forwards, side k + 1 follows corner k; backwards, side k follows corner k.
+      const std::size_t corner = forwards ? k : n - 1 - k, after = (corner + 1) % n;
+      out.corners.push_back({outlines.lines().world(o.sides[corner].line.id, o.sides[after].line.id),
+                             outlines.name(o.sides[forwards ? after : corner].name)});
+    }
+    out.pieces.push_back({static_cast<std::uint32_t>(n), std::move(piece.wholly), std::move(piece.partly)});
+  }
+}
+
+}  // namespace sightline

@@ -1,0 +1,55 @@
+// One surface after the other, against all cameras. For this folder's own use.
+#pragma once
+
+#include <deque>
+
+#include "clip/carve.hpp"
+
+namespace sightline {
+
+/// Which cameras see all of a piece, and which some.
+struct CameraSet {
+  std::vector<std::uint64_t> words;
+  explicit CameraSet(std::size_t cameras) : words((cameras + 63) / 64, 0) {}
+  void add(std::size_t camera) { words[camera / 64] |= std::uint64_t{1} << (camera % 64); }
+  bool has(std::size_t camera) const { return (words[camera / 64] >> (camera % 64) & 1) != 0; }
+  bool operator==(const CameraSet&) const = default;
+};
+
+struct SurfacePiece {
+  Outline outline;
+  CameraSet wholly, partly;
+};
+
+/// The finished pieces of one surface.
+struct ClippedSurface {
+  std::vector<ClipCorner> corners;
+  struct Piece {
+    std::uint32_t corner_count;
+    CameraSet wholly, partly;
+  };
+  std::vector<Piece> pieces;
+};
+
+/// Of one thread: has sightlines of its own for every camera.
+class SurfaceClipper {
+ public:
+  SurfaceClipper(const Scene& scene, const BoxTree& tree, std::span<const Camera> cameras, const ClipOptions& options);
+  ClippedSurface clip(SurfaceId surface);
+  const ClipStats& stats() const { return stats_; }
+
+ private:
+  void finish(std::vector<SurfacePiece>& pieces, Outlines& outlines, ClippedSurface& out) const;
+
+  const Scene& scene_;
+  const ClipOptions& options_;
+  std::deque<View> views_;
+  ShadowFinder finder_;
+  double threshold_;  // in unit coordinates
+  ClipStats stats_;
+};
+
+/// Unites pieces that the same cameras see where two make a convex one.
+void unite(std::vector<SurfacePiece>& pieces, Outlines& outlines);
+
+}  // namespace sightline
