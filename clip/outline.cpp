@@ -71,51 +71,35 @@ void Outlines::split(const Outline& o, OutlineSide by, Outline& outside, Outline
   }
 }
 
-bool Outlines::unite(Outline& a, const Outline& b) {
+bool Outlines::unite(Outline& a, std::size_t i, const Outline& b, std::size_t k) {
   const std::size_t n = a.size(), m = b.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < m; ++k) {
-      if (a.sides[i].line.id != b.sides[k].line.id || a.sides[i].line.sign == b.sides[k].line.sign) continue;
-      const std::size_t a0 = (i + n - 1) % n, a1 = (i + 1) % n, b0 = (k + m - 1) % m, b1 = (k + 1) % m;
-      // The side runs from corner a0 to corner i in a, and from b0 to k in b: backwards.
-      if (a.corner[a0] != b.corner[k] || a.corner[i] != b.corner[b0]) return false;
-      const SightlineRef here = a.sides[i].line;
-      if (lines_.order(a.sides[a0].line, here, b.sides[b1].line) != 0 ||
-          lines_.order(here, a.sides[a1].line, b.sides[b0].line) != 0) {
-        return false;
-      }
-      // Convex: along each end the other's next side turns left or goes straight on.
-      const auto turn = [&](SightlineRef from, SightlineRef to) { return lines_.turn(from, to); };
-      const Sign first = turn(a.sides[a0].line, b.sides[b1].line), last = turn(b.sides[b0].line, a.sides[a1].line);
-      if (first < 0 || last < 0) return false;
-      const bool straight_first = a.sides[a0].line == b.sides[b1].line;
-      const bool straight_last = b.sides[b0].line == a.sides[a1].line;
-      if ((first == 0 && !straight_first) || (last == 0 && !straight_last)) return false;
-      Outline u;
-      for (std::size_t s = 1; s < n; ++s) {  // a's sides after the common one
-        const std::size_t at = (i + s) % n;
-        u.sides.push_back(a.sides[at]);
-        u.corner.push_back(a.corner[at]);
-      }
-      if (straight_first) {  // one side instead of two
-        u.corner.back() = b.corner[b1];
-      }
-      for (std::size_t s = 1; s < m; ++s) {
-        const std::size_t at = (k + s) % m;
-        if (s == 1 && straight_first) continue;
-        u.sides.push_back(b.sides[at]);
-        u.corner.push_back(b.corner[at]);
-      }
-      if (straight_last) {  // the last side, b's b0, goes on as the first, a's a1
-        u.sides.pop_back();
-        u.corner.pop_back();
-      }
-      if (u.size() < 3) return false;
-      a = std::move(u);
-      return true;
-    }
+  if (a.sides[i].line != -b.sides[k].line) return false;
+  // The side runs from corner a0 to corner i in a, and from b0 to k in b: backwards.
+  const std::size_t a0 = (i + n - 1) % n, a1 = (i + 1) % n, b0 = (k + m - 1) % m, b1 = (k + 1) % m;
+  if (a.corner[a0] != b.corner[k] || a.corner[i] != b.corner[b0]) return false;
+  const SightlineRef here = a.sides[i].line, into = a.sides[a0].line, on = b.sides[b1].line, back = b.sides[b0].line,
+                     out = a.sides[a1].line;
+  if (lines_.order(into, here, on) != 0 || lines_.order(here, out, back) != 0) return false;
+  // At both ends of what goes, one's side is followed by the other's: it must turn left, or go straight on.
+  const bool straight_on = into == on, straight_out = back == out;
+  if (!straight_on && lines_.turn(into, on) <= 0) return false;
+  if (!straight_out && lines_.turn(back, out) <= 0) return false;
+  Outline u;
+  for (std::size_t s = 1; s < n; ++s) {
+    u.sides.push_back(a.sides[(i + s) % n]);
+    u.corner.push_back(a.corner[(i + s) % n]);
   }
-  return false;
+  if (straight_on) u.corner.back() = b.corner[b1];  // one side instead of two
+  for (std::size_t s = straight_on ? 2 : 1; s < m; ++s) {
+    u.sides.push_back(b.sides[(k + s) % m]);
+    u.corner.push_back(b.corner[(k + s) % m]);
+  }
+  if (straight_out) {  // the last side goes on as the first
+    u.sides.pop_back();
+    u.corner.pop_back();
+  }
+  a = std::move(u);
+  return true;
 }
 
 double Outlines::area(const Outline& o) const {

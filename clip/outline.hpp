@@ -34,8 +34,9 @@ class Outlines {
   int sides(const Outline& o, SightlineRef line);
   /// Cuts an outline that lies on both sides, as found by sides() just before.
   void split(const Outline& o, OutlineSide by, Outline& outside, Outline& inside);
-  /// Where a side of `a` is one of `b`, whole, and together they are convex: their union is put into a.
-  bool unite(Outline& a, const Outline& b);
+  /// If side i of `a` is side k of `b`, whole and the other way round, and together they are convex: puts their union
+  /// into a.
+  bool unite(Outline& a, std::size_t i, const Outline& b, std::size_t k);
 
   std::uint32_t name(const ClipSide& side);
   const ClipSide& name(std::uint32_t index) const { return names_[index]; }

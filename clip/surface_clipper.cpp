@@ -21,7 +21,7 @@ ClippedSurface SurfaceClipper::clip(SurfaceId surface) {
   Outlines outlines(scene_, surface);
   Carver carver(outlines, threshold_);
   const CameraSet nobody(views_.size());
-  std::vector<SurfacePiece> pieces{{outlines.whole(), nobody, nobody}}, next;
+  std::vector<SurfacePiece> pieces{{outlines.whole(), nobody, nobody, false}}, next;
   std::vector<OutlineSide> frame;
   std::vector<Shadow> shadows;
   std::vector<CarvedPart> parts;
@@ -33,10 +33,12 @@ ClippedSurface SurfaceClipper::clip(SurfaceId surface) {
       parts.clear();
       if (!carver.carve(piece.outline, frame, shadows, parts)) {
         next.push_back(std::move(piece));
+        next.back().fresh = false;
         continue;
       }
+      const bool fresh = parts.size() > 1;
       for (CarvedPart& part : parts) {
-        next.push_back({std::move(part.outline), piece.wholly, piece.partly});
+        next.push_back({std::move(part.outline), piece.wholly, piece.partly, fresh});
         if (part.sight == Sight::visible) next.back().wholly.add(c);
         if (part.sight == Sight::partly) next.back().partly.add(c);
       }

@@ -19,6 +19,7 @@ struct CameraSet {
 struct SurfacePiece {
   Outline outline;
   CameraSet wholly, partly;
+  bool fresh = true;  // cut by the latest camera
 };
 
 /// The finished pieces of one surface.
@@ -49,7 +50,7 @@ class SurfaceClipper {
   ClipStats stats_;
 };
 
-/// Unites pieces that the same cameras see where two make a convex one.
+/// Unites pieces that the same cameras see where two make a convex one. Only pairs are tried of which one is `fresh`.
 void unite(std::vector<SurfacePiece>& pieces, Outlines& outlines);
 
 }  // namespace sightline
