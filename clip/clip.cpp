@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "clip/surface_clipper.hpp"
@@ -37,38 +39,66 @@ void append(ClipResult& result, const Scene& scene, SurfaceId surface, ClippedSu
   }
 }
 
-}  // namespace
+/// A power of two: about eight pixels to a surface's width, were all of them in view side by side.
+int chosen_size(const Scene& scene) {
+  const double wanted = 8 * std::sqrt(static_cast<double>(scene.surfaces().size()));
+  int size = 64;
+  while (size < wanted && size < 1024) size *= 2;
+  return size;
+}
 
-ClipResult clip(const Scene& scene, std::span<const Camera> cameras, const ClipOptions& options) {
-  ClipResult result;
-  const double start = now();
-  const BoxTree tree(scene);
-  const auto count = static_cast<SurfaceId>(scene.surfaces().size());
-  std::vector<ClippedSurface> clipped(count);
-  std::atomic<SurfaceId> next = 0;
+/// Runs the worker in that many threads at once; rethrows what the first to fail has thrown.
+template <class Worker>
+void in_threads(unsigned threads, const Worker& worker) {
   std::mutex mutex;
   std::exception_ptr failure;
-  const auto work = [&] {
+  const auto guarded = [&] {
     try {
-      SurfaceClipper clipper(scene, tree, cameras, options);
-      for (SurfaceId s = next++; s < count; s = next++) clipped[s] = clipper.clip(s);
-      const std::lock_guard lock(mutex);
-      result.stats.buffer_proofs += clipper.stats().buffer_proofs;
-      result.stats.shadows += clipper.stats().shadows;
-      result.stats.cuts += clipper.stats().cuts;
+      worker();
     } catch (...) {
       const std::lock_guard lock(mutex);
       if (!failure) failure = std::current_exception();
     }
   };
   {
-    std::vector<std::jthread> threads;
-    for (unsigned t = 1; t < options.threads; ++t) threads.emplace_back(work);
-    work();
+    std::vector<std::jthread> others;
+    for (unsigned t = 1; t < threads; ++t) others.emplace_back(guarded);
+    guarded();
   }
   if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+ClipResult clip(const Scene& scene, std::span<const Camera> cameras, const ClipOptions& options) {
+  ClipResult result;
+  const double start = now();
+  std::vector<std::optional<CoverBuffer>> drawn(cameras.size());
+  std::atomic<std::size_t> next_camera = 0;
+  in_threads(options.threads, [&] {
+    for (std::size_t c = next_camera++; c < cameras.size(); c = next_camera++)
+      drawn[c].emplace(scene, cameras[c], options.buffer > 0 ? options.buffer : chosen_size(scene));
+  });
+  std::vector<CoverBuffer> buffers;
+  for (auto& buffer : drawn) buffers.push_back(std::move(*buffer));
+  const double ready = now();
+  result.stats.buffer_seconds = ready - start;
+
+  const BoxTree tree(scene);
+  const auto count = static_cast<SurfaceId>(scene.surfaces().size());
+  std::vector<ClippedSurface> clipped(count);
+  std::atomic<SurfaceId> next = 0;
+  std::mutex mutex;
+  in_threads(options.threads, [&] {
+    SurfaceClipper clipper(scene, tree, cameras, buffers, options);
+    for (SurfaceId s = next++; s < count; s = next++) clipped[s] = clipper.clip(s);
+    const std::lock_guard lock(mutex);
+    result.stats.buffer_proofs += clipper.stats().buffer_proofs;
+    result.stats.shadows += clipper.stats().shadows;
+    result.stats.cuts += clipper.stats().cuts;
+  });
   for (SurfaceId s = 0; s < count; ++s) append(result, scene, s, clipped[s], cameras.size());
-  result.stats.clip_seconds = now() - start;
+  result.stats.clip_seconds = now() - ready;
   return result;
 }
 

@@ -6,8 +6,8 @@
 namespace sightline {
 
 SurfaceClipper::SurfaceClipper(const Scene& scene, const BoxTree& tree, std::span<const Camera> cameras,
-                               const ClipOptions& options)
-    : scene_(scene), options_(options), finder_(scene, tree) {
+                               std::span<const CoverBuffer> buffers, const ClipOptions& options)
+    : scene_(scene), buffers_(buffers), finder_(scene, tree) {
   for (std::uint32_t c = 0; c < cameras.size(); ++c) {
     std::span<const TextureRegion> regions;
     if (c < options.regions.size()) regions = options.regions[c];
@@ -25,12 +25,26 @@ ClippedSurface SurfaceClipper::clip(SurfaceId surface) {
   std::vector<OutlineSide> frame;
   std::vector<Shadow> shadows;
   std::vector<CarvedPart> parts;
+  const PlaneId plane = scene_.surfaces()[surface].plane;
+  const bool backwards = scene_.planes().approx(plane).n[outlines.lines().axis()] < 0;
+  const std::vector<glm::dvec3> corners = pieces[0].outline.corner;
   for (std::size_t c = 0; c < views_.size(); ++c) {
+    if (!views_[c].faces(scene_.surfaces()[surface])) continue;
+    if (buffers_[c].hides(corners, plane, backwards)) {
+      ++stats_.buffer_proofs;
+      continue;
+    }
     if (finder_.find(surface, views_[c], outlines, frame, shadows) == ShadowFinder::unseen) continue;
     stats_.shadows += shadows.size();
     next.clear();
     for (SurfacePiece& piece : pieces) {
       parts.clear();
+      if (pieces.size() > 1 && !shadows.empty() && buffers_[c].hides(piece.outline.corner, plane, backwards)) {
+        ++stats_.buffer_proofs;
+        next.push_back(std::move(piece));
+        next.back().fresh = false;
+        continue;
+      }
       if (!carver.carve(piece.outline, frame, shadows, parts)) {
         next.push_back(std::move(piece));
         next.back().fresh = false;

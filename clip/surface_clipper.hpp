@@ -4,6 +4,7 @@
 #include <deque>
 
 #include "clip/carve.hpp"
+#include "clip/cover_buffer.hpp"
 
 namespace sightline {
 
@@ -35,7 +36,9 @@ struct ClippedSurface {
 /// Of one thread: has sightlines of its own for every camera.
 class SurfaceClipper {
  public:
-  SurfaceClipper(const Scene& scene, const BoxTree& tree, std::span<const Camera> cameras, const ClipOptions& options);
+  /// A buffer for every camera.
+  SurfaceClipper(const Scene& scene, const BoxTree& tree, std::span<const Camera> cameras,
+                 std::span<const CoverBuffer> buffers, const ClipOptions& options);
   ClippedSurface clip(SurfaceId surface);
   const ClipStats& stats() const { return stats_; }
 
@@ -43,7 +46,7 @@ class SurfaceClipper {
   void finish(std::vector<SurfacePiece>& pieces, Outlines& outlines, ClippedSurface& out) const;
 
   const Scene& scene_;
-  const ClipOptions& options_;
+  std::span<const CoverBuffer> buffers_;
   std::deque<View> views_;
   ShadowFinder finder_;
   double threshold_;  // in unit coordinates

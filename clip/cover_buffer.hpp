@@ -1,0 +1,45 @@
+// A conservative item buffer: what surely covers each pixel, whole. For this folder's own use.
+#pragma once
+
+#include <vector>
+
+#include "scene/camera.hpp"
+#include "scene/scene.hpp"
+
+namespace sightline {
+
+/// Of each pixel of the window, how near the nearest surface is that covers all of it. It is used for one thing: to prove
+/// that a figure is hidden, because in every pixel that it may touch something that covers the pixel is nearer all over
+/// it. All bounds are on the safe side, so a proof is right whatever the number of pixels; what cannot be proven is
+/// decided elsewhere. (Yu's buffer holds the polygon in the middle of each pixel, and what is less than a pixel wide is
+/// lost on it.) The paper's ids are not needed: not who covers a pixel matters, but that someone does.
+class CoverBuffer {
+ public:
+  /// `size` pixels in each direction.
+  CoverBuffer(const Scene& scene, const Camera& camera, int size);
+
+  /// Is a convex figure of the plane hidden, as far as it is in the window at all? Corners in unit coordinates, each
+  /// within 2^-46, counter-clockwise seen from the plane's front, or the other way round if `backwards`.
+  bool hides(std::span<const glm::dvec3> corners, PlaneId plane, bool backwards) const;
+  int size() const { return size_; }
+
+ private:
+  /// c + s x + t y over the pixels: (x, y) is the corner of pixel x, y.
+  struct Linear {
+    double c, x, y;
+  };
+  /// Inverse depth over the window, and how far it may be off; false: the plane all but holds the eye.
+  bool inverse_depth(PlaneId plane, Linear& w, double& error) const;
+  /// The sides of a cone over a figure, inside positive, all off by `error` at most.
+  void cone(std::span<const glm::dvec3> corners, double turn, std::vector<Linear>& sides, double& error) const;
+  Linear over_pixels(const glm::dvec3& normal) const;
+  void cover(std::span<const glm::dvec3> corners, PlaneId plane, std::vector<Linear>& sides);
+
+  const Scene& scene_;
+  int size_;
+  glm::dvec3 eye_{0}, corner_{0}, right_{0}, up_{0};  // the window's corner (0, 0) and its sides, scaled to 1 at most
+  double reach_ = 0;                                  // of the eye's coordinates
+  std::vector<float> nearest_;                        // inverse depths, rounded down; 0: nothing covers it
+};
+
+}  // namespace sightline
