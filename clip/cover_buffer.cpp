@@ -125,9 +125,11 @@ void CoverBuffer::cover(std::span<const glm::dvec3> corners, PlaneId plane, std:
       keep(side.c + worst - side_error, side.x, first, last);
     }
   };
+  int first, last;
+  range(0, size_, first, last, true);
+  if (first >= last) return;
   for (int from = 0; from < size_; from += block) {
     const int rows = std::min(block, size_ - from);
-    int first, last;
     range(from, rows, first, last, true);
     if (first >= last) continue;
     for (int y = from; y < from + rows; ++y) {
@@ -161,9 +163,11 @@ bool CoverBuffer::hides(std::span<const glm::dvec3> corners, PlaneId plane, bool
       keep(side.c + most + side_error, side.x, first, last);
     }
   };
+  int first, last;
+  range(0, size_, first, last);
+  if (first >= last) return true;
   for (int from = 0; from < size_; from += block) {
     const int rows = std::min(block, size_ - from);
-    int first, last;
     range(from, rows, first, last);
     if (first >= last) continue;
     for (int y = from; y < from + rows; ++y) {

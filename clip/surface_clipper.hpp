@@ -1,6 +1,7 @@
 // One surface after the other, against all cameras. For this folder's own use.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 
 #include "clip/carve.hpp"
@@ -14,6 +15,9 @@ struct CameraSet {
   explicit CameraSet(std::size_t cameras) : words((cameras + 63) / 64, 0) {}
   void add(std::size_t camera) { words[camera / 64] |= std::uint64_t{1} << (camera % 64); }
   bool has(std::size_t camera) const { return (words[camera / 64] >> (camera % 64) & 1) != 0; }
+  bool any() const {
+    return std::any_of(words.begin(), words.end(), [](std::uint64_t w) { return w != 0; });
+  }
   bool operator==(const CameraSet&) const = default;
 };
 

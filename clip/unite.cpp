@@ -34,7 +34,8 @@ class Union {
   /// From the first piece on, each fresh one takes what it can, for as long as it can.
   void run() {
     for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
-      if (!pieces_[k].fresh) continue;
+      // What is below the threshold stays so.
+      if (!pieces_[k].fresh || pieces_[k].partly.any()) continue;
       while (!gone_[k] && take_one(k)) enter(k);
     }
     std::size_t kept = 0;

@@ -123,12 +123,159 @@ TEST(Clip, Models) {
   }
 }
 
-TEST(Clip, ThreadsChangeNothing) {
-  const Shot shot = model("city", 20);
+TEST(Clip, NeitherBufferNorThreadsChangeAByte) {
+  for (const Shot& shot : {model("city", 20), model("tower", 12), model("maze", 30, 0, 17)}) {
+    ClipOptions options;
+    const ClipResult usual = clip(shot.scene, shot.cameras, options);
+    options.threads = 3;
+    std::vector<std::uint64_t> proofs;
+    for (const int buffer : {32, 256, 2048}) {
+      options.buffer = buffer;
+      const ClipResult other = clip(shot.scene, shot.cameras, options);
+      EXPECT_TRUE(same(usual, other)) << shot.scene.soup().source << " " << buffer;
+      proofs.push_back(other.stats.buffer_proofs);
+    }
+    EXPECT_LT(proofs[0], proofs[2]);  // they do prove different things
+  }
+  for (std::uint64_t seed = 1000; seed < 1100; ++seed) {
+    const Shot shot = degenerate(seed);
+    ClipOptions options;
+    options.buffer = 1;
+    const ClipResult coarse = clip(shot.scene, shot.cameras, options);
+    options.buffer = 64;
+    EXPECT_TRUE(same(coarse, clip(shot.scene, shot.cameras, options))) << "seed " << seed;
+  }
+}
+
+TEST(Clip, WhatIsSeenDoesNotDependOnTheOrderOfTheCameras) {
+  Shot shot = model("random", 4, 120);
+  const ClipOptions options;
+  const ClipResult result = clip(shot.scene, shot.cameras, options);
+  Shot turned = shot;
+  std::ranges::reverse(turned.cameras);
+  const ClipResult other = clip(turned.scene, turned.cameras, options);
+  const ExactPieces one(shot.scene, shot.cameras, options, result), two(turned.scene, turned.cameras, options, other);
+  const auto count = static_cast<std::uint32_t>(shot.cameras.size());
+  for (PolygonId p = 0; p < shot.scene.polygon_count(); ++p)
+    for (std::uint32_t c = 0; c < count; ++c) EXPECT_NEAR(one.area(p, c), two.area(p, count - 1 - c), 1e-15);
+}
+
+TEST(Clip, Regions) {
+  for (std::uint64_t seed = 2000; seed < 2040; ++seed) {
+    const Shot shot = degenerate(seed);
+    Random random(seed);
+    ClipOptions options;
+    for (std::size_t c = 0; c < shot.cameras.size(); ++c) {
+      options.regions.emplace_back();
+      while (options.regions.back().size() < c) {
+        TextureRegion region{random.once_in(2), {}};
+        for (int k = 0; k < 3; ++k)
+          region.points.emplace_back(random.between(-1, 9) / 8.0, random.between(-1, 9) / 8.0);
+        const glm::dvec2 a = region.points[1] - region.points[0], b = region.points[2] - region.points[0];
+        if (a.x * b.y != a.y * b.x) options.regions.back().push_back(region);
+      }
+    }
+    const ClipResult result = clip(shot.scene, shot.cameras, options);
+    ExactPieces exact(shot.scene, shot.cameras, options, result);
+    EXPECT_EQ(exact.faults(), "") << "seed " << seed;
+    EXPECT_EQ(exact.wrong_rays(seed, 2), "") << "seed " << seed;
+  }
+}
+
+TEST(Clip, RefusesRegionsThatAreNotConvex) {
+  const Shot shot = model("rooms", 60);
+  for (const std::vector<glm::dvec2>& points :
+       {std::vector<glm::dvec2>{{0, 0}, {1, 0}}, {{0, 0}, {0.5, 0.5}, {1, 1}}, {{0, 0}, {1, 0}, {0.25, 0.25}, {0, 1}},
+        {{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 0}, {1, 0}, {NAN, 1}}}) {
+    ClipOptions options;
+    options.regions = {{{true, points}}};
+    EXPECT_THROW(clip(shot.scene, shot.cameras, options), std::invalid_argument);
+  }
+}
+
+double surface_area(const ClipResult& result, const ClipPiece& piece) {
+  glm::dvec3 sum{0};
+  const auto at = [&](std::uint32_t k) {
+    const auto& x = result.corners[piece.first_corner + k].at;
+    return glm::dvec3(x[0], x[1], x[2]);
+  };
+  for (std::uint32_t k = 2; k < piece.corner_count; ++k) sum += glm::cross(at(k - 1) - at(0), at(k) - at(0));
+  return glm::length(sum) / 2;
+}
+
+// What is partly seen below the threshold is neither cut nor called visible; all else is as exact as ever.
+TEST(Clip, Threshold) {
+  const Shot shot = model("tower", 8);
   ClipOptions options;
-  const ClipResult one = clip(shot.scene, shot.cameras, options);
-  options.threads = 3;
-  EXPECT_TRUE(same(one, clip(shot.scene, shot.cameras, options)));
+  const std::size_t all = clip(shot.scene, shot.cameras, options).pieces.size();
+  std::size_t before = all;
+  for (const double threshold : {0.01, 0.1, 1.0}) {
+    options.threshold = threshold;
+    const ClipResult result = clip(shot.scene, shot.cameras, options);
+    EXPECT_LT(result.pieces.size(), before);
+    before = result.pieces.size();
+    std::size_t partly = 0;
+    for (const ClipPiece& piece : result.pieces) {
+      partly += piece.partly_count > 0;
+      if (piece.partly_count > 0) {
+        EXPECT_LT(surface_area(result, piece), threshold * 1.000001);
+      }
+    }
+    EXPECT_GT(partly, 0u);
+    ExactPieces exact(shot.scene, shot.cameras, options, result);
+    EXPECT_EQ(exact.faults(), "");
+    const std::string wrong = exact.wrong_rays(3, 1, 100);
+    EXPECT_EQ(wrong.find("is listed and does not see it"), std::string::npos);
+  }
+}
+
+// A polygon behind many, none of which hides it alone; with a hole of less than a pixel, and without.
+TEST(Clip, ThroughAHoleOfLessThanAPixel) {
+  for (const double hole : {0.0, 0x1p-40}) {
+    PolygonSoup soup;
+    const auto quad = [&](double x0, double x1, double z0, double z1, double y) {
+      const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+      for (const auto& [x, z] : {std::pair{x0, z0}, {x1, z0}, {x1, z1}, {x0, z1}}) soup.vertices.emplace_back(x, y, z);
+      for (std::uint32_t k = 0; k < 4; ++k) soup.corners.push_back(first + k);
+      soup.first.push_back(static_cast<std::uint32_t>(soup.corners.size()));
+    };
+    quad(-1, 1, -1, 1, 4);
+    for (int i = 0; i < 8; ++i)
+      for (int k = 0; k < 8; ++k) {
+        const double x = i / 4.0 - 1, z = k / 4.0 - 1;
+        quad(x, x + 0.25, z + (i == 3 && k == 3 ? hole : 0), z + 0.25, 2);
+      }
+    const Scene scene = make_scene(soup);
+    const std::vector<Camera> cameras{Camera{}};
+    for (const int buffer : {16, 512}) {
+      ClipOptions options;
+      options.buffer = buffer;
+      const ClipResult result = clip(scene, cameras, options);
+      ExactPieces exact(scene, cameras, options, result);
+      EXPECT_EQ(exact.faults() + exact.wrong_rays(5, 3), "");
+      EXPECT_EQ(exact.area(0, 0) > 0, hole > 0);
+      EXPECT_EQ(result.pieces[1].polygon == 0, hole > 0);
+    }
+  }
+}
+
+// What the lowest index owns where polygons lie in one plane, from both sides.
+TEST(Clip, CoplanarPolygons) {
+  PolygonSoup soup;
+  soup.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {5, 1, 0}, {1, 5, 0}};
+  soup.corners = {3, 4, 5, 0, 1, 2, 0, 2, 1};
+  soup.first = {0, 3, 6, 9};
+  const Scene scene = make_scene(soup);
+  const std::vector<Camera> cameras{make_camera({1, 2, 9}, {0, 0, -1}, {0, 1, 0}, 60, 1),
+                                    make_camera({1, 2, -9}, {0, 0, 1}, {0, 1, 0}, 60, 1),
+                                    make_camera({9, 2, 0}, {-1, 0, 0}, {0, 0, 1}, 60, 1)};  // in their plane
+  const ClipOptions options;
+  const ClipResult result = clip(scene, cameras, options);
+  ExactPieces exact(scene, cameras, options, result);
+  EXPECT_EQ(exact.faults() + exact.wrong_rays(7, 4), "");
+  EXPECT_EQ(result.cameras.size(), 2 * (result.pieces.size() - 2));  // polygon 2, and what polygon 0 covers of 1
+  EXPECT_GT(exact.area(1, 0), 0);
+  EXPECT_EQ(exact.area(2, 0), 0);
 }
 
 }  // namespace
