@@ -21,10 +21,10 @@ BoxTree::BoxTree(const Scene& scene) : boxes_(scene.surfaces().size()), order_(s
     const auto edges = scene.edges(surface);
     glm::dvec3 low{1}, high{-1};
     for (std::size_t k = 0; k < edges.size(); ++k) {
-      const glm::dvec3 at = edges[k].corner != none
-                                ? scene.points().approx(edges[k].corner)
-                                : make_vertex(scene.planes(), surface.plane, edges[k].wall,
-                                              edges[k + 1 == edges.size() ? 0 : k + 1].wall).approx;
+      const glm::dvec3 at = edges[k].corner != none ? scene.points().approx(edges[k].corner)
+                                                    : make_vertex(scene.planes(), surface.plane, edges[k].wall,
+                                                                  edges[k + 1 == edges.size() ? 0 : k + 1].wall)
+                                                          .approx;
       low = glm::min(low, at);
       high = glm::max(high, at);
     }
@@ -70,8 +70,8 @@ void BoxTree::divide(std::size_t node, std::size_t begin, std::size_t end) {
 }
 
 bool BoxTree::outside(const Box& box, const RoughPlane& plane) {
-  const double reach = std::abs(plane.n.x) * box.half.x + std::abs(plane.n.y) * box.half.y +
-                       std::abs(plane.n.z) * box.half.z;
+  const double reach =
+      std::abs(plane.n.x) * box.half.x + std::abs(plane.n.y) * box.half.y + std::abs(plane.n.z) * box.half.z;
   const double value = plane.n.x * box.middle.x + plane.n.y * box.middle.y + plane.n.z * box.middle.z - plane.d;
   return value + reach < -plane.slack;
 }

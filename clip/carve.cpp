@@ -17,9 +17,10 @@ bool Carver::carve(const Outline& outline, std::span<const OutlineSide> frame, s
     parts.push_back({outline, Sight::hidden});
     return false;
   }
-  if (carve(inside, all, parts)) {
+  const bool small = outlines_.area(outline) < threshold_;
+  if (carve(inside, all, small, parts)) {
     if (outside.empty()) return true;
-    if (outlines_.area(outline) >= threshold_) {
+    if (!small) {
       for (Outline& o : outside) parts.push_back({std::move(o), Sight::hidden});
     } else {
       parts.resize(before);
@@ -32,7 +33,9 @@ bool Carver::carve(const Outline& outline, std::span<const OutlineSide> frame, s
   return false;
 }
 
-bool Carver::carve(const Outline& outline, std::span<const std::uint32_t> candidates, std::vector<CarvedPart>& parts) {
+bool Carver::carve(const Outline& outline, std::span<const std::uint32_t> candidates, bool small,
+                   std::vector<CarvedPart>& parts) {
+  small = small || outlines_.area(outline) < threshold_;
   struct Candidate {
     double overlap;
     std::uint32_t shadow;
@@ -59,9 +62,11 @@ bool Carver::carve(const Outline& outline, std::span<const std::uint32_t> candid
     for (std::size_t k = next + 1; k < near.size(); ++k) rest.push_back(near[k].shadow);
     std::sort(rest.begin(), rest.end());
     parts.push_back({std::move(inside), Sight::hidden});
-    for (const Outline& o : outside) seen = carve(o, rest, parts) || seen;
+    for (const Outline& o : outside) {
+      if (!(small && seen)) seen = carve(o, rest, small, parts) || seen;
+    }
   }
-  if (seen && outlines_.area(outline) >= threshold_) return true;
+  if (seen && !small) return true;
   parts.resize(before);
   parts.push_back({outline, seen ? Sight::partly : Sight::hidden});
   return seen;
@@ -95,8 +100,8 @@ bool Carver::apart(const Outline& outline, const Shadow& shadow) {
   });
 }
 
-/// The area that they share, up to a factor for the surface, in doubles. It only orders the work, but decides which pieces
-/// come out: it is found from the corners' nearest doubles and the scene alone, so that it is always the same.
+/// The area that they share, up to a factor for the surface, in doubles. It only orders the work, but decides which
+/// pieces come out: it is found from the corners' nearest doubles and the scene alone, so that it is always the same.
 double Carver::overlap(const Outline& outline, const Shadow& shadow) {
   const int i = (outlines_.lines().axis() + 1) % 3, j = (outlines_.lines().axis() + 2) % 3;
   figure_.clear();

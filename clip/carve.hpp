@@ -13,8 +13,8 @@ struct CarvedPart {
 };
 
 /// Cuts an outline by shadows, that of the largest overlap first, until every part is wholly in one of them or wholly
-/// outside of all. What turns out to be hidden altogether is left whole, at every depth: so which proof of that is found,
-/// and when, changes no result.
+/// outside of all. What turns out to be hidden altogether is left whole, at every depth: so which proof of that is
+/// found, and when, changes no result.
 class Carver {
  public:
   /// `threshold`: the area (unit coordinates) below which a partly visible part is not cut.
@@ -26,7 +26,9 @@ class Carver {
   std::uint64_t cuts() const { return cuts_; }
 
  private:
-  bool carve(const Outline& outline, std::span<const std::uint32_t> candidates, std::vector<CarvedPart>& parts);
+  /// `small`: it is enough to know whether any of it is visible.
+  bool carve(const Outline& outline, std::span<const std::uint32_t> candidates, bool small,
+             std::vector<CarvedPart>& parts);
   bool cut(const Outline& outline, std::span<const OutlineSide> lines, Outline& inside, std::vector<Outline>& outside);
   bool apart(const Outline& outline, const Shadow& shadow);
   double overlap(const Outline& outline, const Shadow& shadow);

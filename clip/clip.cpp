@@ -14,16 +14,19 @@
 namespace sightline {
 namespace {
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 void append(ClipResult& result, const Scene& scene, SurfaceId surface, ClippedSurface& clipped, std::size_t cameras) {
   auto corner = static_cast<std::uint32_t>(result.corners.size());
   result.corners.insert(result.corners.end(), clipped.corners.begin(), clipped.corners.end());
   for (const ClippedSurface::Piece& piece : clipped.pieces) {
-    ClipPiece p{scene.surfaces()[surface].polygon, surface, corner, piece.corner_count,
-                static_cast<std::uint32_t>(result.cameras.size()), 0, 0};
+    ClipPiece p{scene.surfaces()[surface].polygon,
+                surface,
+                corner,
+                piece.corner_count,
+                static_cast<std::uint32_t>(result.cameras.size()),
+                0,
+                0};
     for (std::uint32_t c = 0; c < cameras; ++c) {
       if (!piece.wholly.has(c)) continue;
       result.cameras.push_back(c);

@@ -69,13 +69,12 @@ struct ClipResult {
   ClipStats stats;
 };
 
-/// Laws. 1: the pieces of a surface tile it. 2: of no piece is a part visible and a part hidden from any camera, but for
-/// those below the threshold. 3: a surface that no camera sees is one piece, whole. 4: the same result for every size of
-/// the buffer and every number of threads. 5: what is visible from where does not depend on the order of the cameras.
-/// Visible from a camera: nearest along a ray of its window (and regions) from the eye, the lowest index owning what
-/// lies in one plane; a surface whose plane holds the eye is hidden.
-/// Throws std::invalid_argument for a camera whose vectors are not finite or not independent, and for a region that is
-/// not strictly convex.
+/// Laws. 1: the pieces of a surface tile it. 2: of no piece is a part visible and a part hidden from any camera, but
+/// for those below the threshold. 3: a surface that no camera sees is one piece, whole. 4: the same result for every
+/// size of the buffer and every number of threads. 5: what is visible from where does not depend on the order of the
+/// cameras. Visible from a camera: nearest along a ray of its window (and regions) from the eye, the lowest index
+/// owning what lies in one plane; a surface whose plane holds the eye is hidden. Throws std::invalid_argument for a
+/// camera whose vectors are not finite or not independent, and for a region that is not strictly convex.
 ClipResult clip(const Scene& scene, std::span<const Camera> cameras, const ClipOptions& options = {});
 
 }  // namespace sightline

@@ -73,11 +73,11 @@ CoverBuffer::Linear CoverBuffer::over_pixels(const glm::dvec3& normal) const {
   return {glm::dot(normal, corner_), glm::dot(normal, right_) / size_, glm::dot(normal, up_) / size_};
 }
 
-// A ray meets the plane n.x = d at the depth (d - n.e) / n.ray. With E the reach of the eye, d - n.e is off by less than
-// q = u (24 E + 4 |d| + 2), as in SightlineTable::eye_side. Components of rays are below 4 (three vectors, each up to 1,
-// the outer two at most once), known within 4u: n.ray is off by less than 3 (4u + 4u), with the roundings of three
-// products and their sums, and of the evaluation, of numbers up to 12 each: below 256u in all; itself it is below 12.
-// Divided by D = |d - n.e|, where q/D < 2^-20: off by less than (256u + 12 (1.01 q/D + 2u)) / D.
+// A ray meets the plane n.x = d at the depth (d - n.e) / n.ray. With E the reach of the eye, d - n.e is off by less
+// than q = u (24 E + 4 |d| + 2), as in SightlineTable::eye_side. Components of rays are below 4 (three vectors, each up
+// to 1, the outer two at most once), known within 4u: n.ray is off by less than 3 (4u + 4u), with the roundings of
+// three products and their sums, and of the evaluation, of numbers up to 12 each: below 256u in all; itself it is
+// below 12. Divided by D = |d - n.e|, where q/D < 2^-20: off by less than (256u + 12 (1.01 q/D + 2u)) / D.
 bool CoverBuffer::inverse_depth(PlaneId plane, Linear& w, double& error) const {
   const ApproxPlane& p = scene_.planes().approx(plane);
   const glm::dvec3 n(p.n[0], p.n[1], p.n[2]);

@@ -8,11 +8,11 @@
 
 namespace sightline {
 
-/// Of each pixel of the window, how near the nearest surface is that covers all of it. It is used for one thing: to prove
-/// that a figure is hidden, because in every pixel that it may touch something that covers the pixel is nearer all over
-/// it. All bounds are on the safe side, so a proof is right whatever the number of pixels; what cannot be proven is
-/// decided elsewhere. (Yu's buffer holds the polygon in the middle of each pixel, and what is less than a pixel wide is
-/// lost on it.) The paper's ids are not needed: not who covers a pixel matters, but that someone does.
+/// Of each pixel of the window, how near the nearest surface is that covers all of it. It is used for one thing: to
+/// prove that a figure is hidden, because in every pixel that it may touch something that covers the pixel is nearer
+/// all over it. All bounds are on the safe side, so a proof is right whatever the number of pixels; what cannot be
+/// proven is decided elsewhere. (Yu's buffer holds the polygon in the middle of each pixel, and what is less than a
+/// pixel wide is lost on it.) The paper's ids are not needed: not who covers a pixel matters, but that someone does.
 class CoverBuffer {
  public:
   /// `size` pixels in each direction.

@@ -104,7 +104,8 @@ bool Outlines::unite(Outline& a, std::size_t i, const Outline& b, std::size_t k)
 
 double Outlines::area(const Outline& o) const {
   glm::dvec3 sum{0, 0, 0};
-  for (std::size_t k = 2; k < o.size(); ++k) sum += glm::cross(o.corner[k - 1] - o.corner[0], o.corner[k] - o.corner[0]);
+  for (std::size_t k = 2; k < o.size(); ++k)
+    sum += glm::cross(o.corner[k - 1] - o.corner[0], o.corner[k] - o.corner[0]);
   return glm::length(sum) / 2;
 }
 

@@ -44,7 +44,6 @@ class Outlines {
   double area(const Outline& o) const;
 
  private:
-
   const Scene& scene_;
   const Surface& surface_;
   PlaneLines lines_;

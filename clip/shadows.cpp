@@ -103,7 +103,9 @@ bool ShadowFinder::may_hide(const Surface& other, SurfaceId other_id, View& view
     const auto beyond = [&](PointId p) { return point_side(scene_.planes(), p, other.plane) == -before; };
     if (!corners_.empty() && std::none_of(corners_.begin(), corners_.end(), beyond)) return false;
   }
-  const auto inside_of = [&](SightlineRef line) { return [&table, line](PointId p) { return table.side(line, p) > 0; }; };
+  const auto inside_of = [&](SightlineRef line) {
+    return [&table, line](PointId p) { return table.side(line, p) > 0; };
+  };
   if (!other_corners_.empty()) {
     for (const SightlineRef wedge : wedges_) {
       if (std::none_of(other_corners_.begin(), other_corners_.end(), inside_of(wedge))) return false;

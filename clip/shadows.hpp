@@ -25,8 +25,8 @@ class ShadowFinder {
   ShadowFinder(const Scene& scene, const BoxTree& tree) : scene_(scene), tree_(tree) {}
 
   enum Outcome { unseen, seen };
-  /// `unseen`: all of the surface lies outside of the frame, or behind, or edge-on. Otherwise all that may hide a part of
-  /// its inside, and the lines of the frame that it is not wholly inside of.
+  /// `unseen`: all of the surface lies outside of the frame, or behind, or edge-on. Otherwise all that may hide a part
+  /// of its inside, and the lines of the frame that it is not wholly inside of.
   Outcome find(SurfaceId surface, View& view, Outlines& outlines, std::vector<OutlineSide>& frame,
                std::vector<Shadow>& shadows);
 

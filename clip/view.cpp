@@ -78,9 +78,9 @@ std::vector<NamedLine> View::sides_of(const TextureRegion& region, std::uint32_t
   for (std::size_t k = 0; k < n; ++k) {
     const Vector a = ray(camera_, region.points[k]), b = ray(camera_, region.points[(k + 1) % n]);
     const Vector normal{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    // In a camera of handedness +1, right x up points backwards: of counter-clockwise points a x b does too, towards the
-    // inside. In front of the eye, that is: det(a, b, c) for c to the left is a positive multiple of
-    // det(forward, right, up) times the turn, and that has the sign of -handedness.
+    // In a camera of handedness +1, right x up points backwards: of counter-clockwise points a x b does too, towards
+    // the inside. In front of the eye, that is: det(a, b, c) for c to the left is a positive multiple of det(forward,
+    // right, up) times the turn, and that has the sign of -handedness.
     const SightlineRef line = table_.of_normal(normal);
     sides.push_back({turning * window_.handedness() < 0 ? line : -line,
                      {ClipSide::region, index_, index, static_cast<std::uint32_t>(k)}});

@@ -27,7 +27,8 @@ PlaneLines::Cut PlaneLines::intern(const std::uint64_t* normal, std::uint32_t no
   const int up = planes_.points().grid().unit_bits() + shift;
   const auto k = static_cast<std::size_t>(axis_), i = (k + 1) % 3, j = (k + 2) % 3;
   const int bits = std::max({own.normal_bits + normal_bits + up, normal_bits + own.offset_bits + shift,
-                             own.normal_bits + offset_bits}) + 1;
+                             own.normal_bits + offset_bits}) +
+                   1;
   return at_width(bits, [&](auto width) -> Cut {
     constexpr int W = width();
     const Wide3<W> m = own.normal<W>(), n = load3<W>(normal, normal_words);
@@ -98,11 +99,11 @@ Sign PlaneLines::turn(SightlineRef a, SightlineRef b) const {
     return 0;
   }
   return a.sign * b.sign * decide(static_cast<int>(lines_.bits(a.id) + lines_.bits(b.id)) + 1, [&](auto width) -> Sign {
-    constexpr int W = width();
-    const auto at = [&](SightlineId id) { return load3<W>(lines_.words(id), words_for(lines_.bits(id))); };
-    const Wide3<W> x = at(a.id), y = at(b.id);
-    return sign_of<W>(minor2<W, W, W>(x[0], x[1], y[0], y[1]));
-  });
+           constexpr int W = width();
+           const auto at = [&](SightlineId id) { return load3<W>(lines_.words(id), words_for(lines_.bits(id))); };
+           const Wide3<W> x = at(a.id), y = at(b.id);
+           return sign_of<W>(minor2<W, W, W>(x[0], x[1], y[0], y[1]));
+         });
 }
 
 glm::dvec3 PlaneLines::corner(SightlineId a, SightlineId b) const {
@@ -132,8 +133,8 @@ std::array<double, 3> PlaneLines::world(SightlineId a, SightlineId b) const {
   std::array<double, 3> at;
   at[static_cast<std::size_t>(i)] = grid.world(x, meet[2], i);
   at[static_cast<std::size_t>(j)] = grid.world(y, meet[2], j);
-  const Integer height = planes_.integer(plane_, 3) * meet[2] - planes_.integer(plane_, i) * x -
-                         planes_.integer(plane_, j) * y;
+  const Integer height =
+      planes_.integer(plane_, 3) * meet[2] - planes_.integer(plane_, i) * x - planes_.integer(plane_, j) * y;
   at[static_cast<std::size_t>(axis_)] = grid.world(height, Integer(planes_.integer(plane_, axis_) * meet[2]), axis_);
   return at;
 }

@@ -6,15 +6,15 @@
 namespace sightline {
 
 /// The lines of one plane, each known by two of its points' unit coordinates, x and y: those along the two axes that
-/// follow, cyclically, the axis along which the plane is looked at. A line is (a, b, c) up to a positive factor, and its
-/// inner side is where a x + b y + c > 0; lines that coincide have one id, and refs carry the side. It is a
+/// follow, cyclically, the axis along which the plane is looked at. A line is (a, b, c) up to a positive factor, and
+/// its inner side is where a x + b y + c > 0; lines that coincide have one id, and refs carry the side. It is a
 /// SightlineTable whose rays are the points (x, y, 1).
 ///
-/// Laws. 1: a plane's line has the plane's front on its inner side; a turned sightline's is turned. 2: ids are equal just
-/// if the lines are, whatever planes they come from. 3: a parallel plane has no line but a side, 0 just if it is this
-/// plane. 4: with a and b in counter-clockwise order round a convex figure, seen against the axis, order(a, b, c) is the
-/// side of c on which their corner lies. 5: corner() has x and y to the nearest double, the third coordinate within
-/// 2^-46 for a corner in the unit box. 6: world() is each coordinate of the corner to the nearest double.
+/// Laws. 1: a plane's line has the plane's front on its inner side; a turned sightline's is turned. 2: ids are equal
+/// just if the lines are, whatever planes they come from. 3: a parallel plane has no line but a side, 0 just if it is
+/// this plane. 4: with a and b in counter-clockwise order round a convex figure, seen against the axis, order(a, b, c)
+/// is the side of c on which their corner lies. 5: corner() has x and y to the nearest double, the third coordinate
+/// within 2^-46 for a corner in the unit box. 6: world() is each coordinate of the corner to the nearest double.
 class PlaneLines {
  public:
   /// Of plane p, looked at along `axis`, the one of its normal's largest component (rounded) or another that is not 0.

@@ -51,8 +51,8 @@ Shot model(const std::string& name, std::size_t every, std::uint32_t polygons = 
   return shot;
 }
 
-/// What each camera sees of each polygon, beside the tracer's list. Fractions within 1e-12; the tracer finds its areas from
-/// corners rounded to doubles, so that a polygon of which hardly anything is seen is given those roundings too.
+/// What each camera sees of each polygon, beside the tracer's list. Fractions within 1e-12; the tracer finds its areas
+/// from corners rounded to doubles, so that a polygon of which hardly anything is seen is given those roundings too.
 std::string unlike_tracer(const Shot& shot, const ExactPieces& pieces, const ClipResult& result) {
   std::string text;
   const BspTree tree(shot.scene);
@@ -184,9 +184,11 @@ TEST(Clip, Regions) {
 
 TEST(Clip, RefusesRegionsThatAreNotConvex) {
   const Shot shot = model("rooms", 60);
-  for (const std::vector<glm::dvec2>& points :
-       {std::vector<glm::dvec2>{{0, 0}, {1, 0}}, {{0, 0}, {0.5, 0.5}, {1, 1}}, {{0, 0}, {1, 0}, {0.25, 0.25}, {0, 1}},
-        {{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 0}, {1, 0}, {NAN, 1}}}) {
+  for (const std::vector<glm::dvec2>& points : {std::vector<glm::dvec2>{{0, 0}, {1, 0}},
+                                                {{0, 0}, {0.5, 0.5}, {1, 1}},
+                                                {{0, 0}, {1, 0}, {0.25, 0.25}, {0, 1}},
+                                                {{0, 0}, {1, 0}, {0, 1}, {1, 1}},
+                                                {{0, 0}, {1, 0}, {NAN, 1}}}) {
     ClipOptions options;
     options.regions = {{{true, points}}};
     EXPECT_THROW(clip(shot.scene, shot.cameras, options), std::invalid_argument);

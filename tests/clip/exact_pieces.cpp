@@ -177,7 +177,8 @@ std::string ExactPieces::faults() {
     if (pieces.size() > 60) continue;  // a matter of time only
     for (std::size_t a = 0; a < pieces.size(); ++a)
       for (std::size_t b = 0; b < a; ++b)
-        if (!parts(outline(pieces[a]), outline(pieces[b]), normal) && !parts(outline(pieces[b]), outline(pieces[a]), normal))
+        if (!parts(outline(pieces[a]), outline(pieces[b]), normal) &&
+            !parts(outline(pieces[b]), outline(pieces[a]), normal))
           fault(pieces[a], "overlaps piece " + std::to_string(pieces[b]));
   }
   return text;
@@ -197,8 +198,8 @@ bool ExactPieces::in_frame(std::uint32_t camera, const Point& x) const {
     int left = 0, right = 0;
     for (std::size_t k = 0; k < region.points.size(); ++k) {
       const glm::dvec2 a = region.points[k], b = region.points[(k + 1) % region.points.size()];
-      const Rational turn = (Rational(b.x) - Rational(a.x)) * (t - Rational(a.y)) -
-                            (Rational(b.y) - Rational(a.y)) * (s - Rational(a.x));
+      const Rational turn =
+          (Rational(b.x) - Rational(a.x)) * (t - Rational(a.y)) - (Rational(b.y) - Rational(a.y)) * (s - Rational(a.x));
       left += turn > 0;
       right += turn < 0;
     }
@@ -253,7 +254,8 @@ std::string ExactPieces::wrong_rays(std::uint64_t seed, int rays, int one_in) {
       for (std::uint32_t c = 0; c < cameras_.size(); ++c) {
         if (sees(c, x, piece.surface) == lists(piece, c)) continue;
         text += "piece " + std::to_string(p) + " of surface " + std::to_string(piece.surface) + ": camera " +
-                std::to_string(c) + (lists(piece, c) ? " is listed and does not see it\n" : " sees it and is not listed\n");
+                std::to_string(c) +
+                (lists(piece, c) ? " is listed and does not see it\n" : " sees it and is not listed\n");
       }
     }
   }

@@ -28,7 +28,8 @@ struct ExactPlane {
 
 class ExactPieces {
  public:
-  ExactPieces(const Scene& scene, std::span<const Camera> cameras, const ClipOptions& options, const ClipResult& result);
+  ExactPieces(const Scene& scene, std::span<const Camera> cameras, const ClipOptions& options,
+              const ClipResult& result);
 
   /// Every fault of the laws of clip() that can be told without rays, one a line: corners that are not the nearest
   /// doubles, pieces that are not convex, or overlap, or do not tile; surfaces that none sees and that are cut.
@@ -55,7 +56,7 @@ class ExactPieces {
   std::span<const Camera> cameras_;
   const ClipOptions& options_;
   const ClipResult& result_;
-  std::vector<ExactPlane> surface_;      // of each surface, its front as the kernel's
+  std::vector<ExactPlane> surface_;              // of each surface, its front as the kernel's
   std::vector<std::vector<ExactPlane>> bounds_;  // of each surface: through its sides, inside positive
   std::vector<Point> eye_;
   std::vector<Point> corner_;  // of the result's corners
