@@ -1,6 +1,7 @@
 #include "clip/box_tree.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <numeric>
@@ -69,31 +70,39 @@ void BoxTree::divide(std::size_t node, std::size_t begin, std::size_t end) {
   divide(child + 1, middle, end);
 }
 
-bool BoxTree::outside(const Box& box, const RoughPlane& plane) {
-  const double reach =
-      std::abs(plane.n.x) * box.half.x + std::abs(plane.n.y) * box.half.y + std::abs(plane.n.z) * box.half.z;
-  const double value = plane.n.x * box.middle.x + plane.n.y * box.middle.y + plane.n.z * box.middle.z - plane.d;
-  return value + reach < -plane.slack;
-}
-
 void BoxTree::find(std::span<const RoughPlane> volume, std::vector<SurfaceId>& found) const {
+  if (nodes_.empty()) return;
   const std::size_t before = found.size();
-  std::vector<std::uint32_t> open;
-  if (!nodes_.empty()) open.push_back(0);
-  const auto away = [&](const Box& box) {
-    return std::any_of(volume.begin(), volume.end(), [&](const RoughPlane& p) { return outside(box, p); });
+  // Planes that a box is inside of need not be looked at again below it: a bit each.
+  struct Open {
+    std::uint32_t node, planes;
+  };
+  const std::uint32_t every = volume.size() >= 32 ? ~0u : (1u << volume.size()) - 1;
+  std::vector<Open> open{{0, every}};
+  const auto away = [&](const Box& box, std::uint32_t& planes) {
+    for (std::uint32_t left = planes; left != 0; left &= left - 1) {
+      const RoughPlane& p = volume[static_cast<std::size_t>(std::countr_zero(left))];
+      const double reach =
+          std::abs(p.n.x) * box.half.x + std::abs(p.n.y) * box.half.y + std::abs(p.n.z) * box.half.z;
+      const double value = p.n.x * box.middle.x + p.n.y * box.middle.y + p.n.z * box.middle.z - p.d;
+      if (value + reach < -p.slack) return true;
+      if (value - reach > p.slack) planes &= ~(left & (0u - left));
+    }
+    return false;
   };
   while (!open.empty()) {
-    const Node& node = nodes_[open.back()];
+    auto [at, planes] = open.back();
     open.pop_back();
-    if (away(node.box)) continue;
+    const Node& node = nodes_[at];
+    if (away(node.box, planes)) continue;
     if (node.count == 0) {
-      open.push_back(node.first);
-      open.push_back(node.first + 1);
+      open.push_back({node.first, planes});
+      open.push_back({node.first + 1, planes});
       continue;
     }
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      if (!away(boxes_[order_[k]])) found.push_back(order_[k]);
+      std::uint32_t own = planes;
+      if (!away(boxes_[order_[k]], own)) found.push_back(order_[k]);
     }
   }
   std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());

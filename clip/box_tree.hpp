@@ -17,7 +17,7 @@ struct RoughPlane {
 class BoxTree {
  public:
   explicit BoxTree(const Scene& scene);
-  /// Appends, ascending, every surface that has a point inside of all planes, and others near them.
+  /// At most 32 planes. Appends, ascending, every surface that has a point inside of all planes, and others near them.
   void find(std::span<const RoughPlane> volume, std::vector<SurfaceId>& found) const;
 
  private:
@@ -28,7 +28,6 @@ class BoxTree {
     Box box;
     std::uint32_t first, count;  // of surfaces, in order_; 0: children at first and first + 1
   };
-  static bool outside(const Box& box, const RoughPlane& plane);
   void divide(std::size_t node, std::size_t begin, std::size_t end);
 
   std::vector<Box> boxes_;  // by surface

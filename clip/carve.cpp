@@ -1,9 +1,26 @@
 #include "clip/carve.hpp"
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <numeric>
 
 namespace sightline {
+namespace {
+
+/// A box around the corners, which are within 2^-48 of their doubles.
+void box_of(const Outline& outline, glm::dvec3& low, glm::dvec3& high) {
+  low = high = outline.corner[0];
+  for (const glm::dvec3& c : outline.corner) {
+    low = glm::min(low, c);
+    high = glm::max(high, c);
+  }
+  low -= 0x1p-47;
+  high += 0x1p-47;
+}
+
+}  // namespace
+
 
 bool Carver::carve(const Outline& outline, std::span<const OutlineSide> frame, std::span<const Shadow> shadows,
                    std::vector<CarvedPart>& parts) {
@@ -41,7 +58,11 @@ bool Carver::carve(const Outline& outline, std::span<const std::uint32_t> candid
     std::uint32_t shadow;
   };
   std::vector<Candidate> near;
+  glm::dvec3 low, high;
+  box_of(outline, low, high);
   for (const std::uint32_t k : candidates) {
+    const Shadow& s = shadows_[k];
+    if (glm::any(glm::lessThan(high, s.low)) || glm::any(glm::lessThan(s.high, low))) continue;
     if (!apart(outline, shadows_[k])) near.push_back({overlap(outline, shadows_[k]), k});
   }
   std::sort(near.begin(), near.end(), [](const Candidate& a, const Candidate& b) {
@@ -88,6 +109,19 @@ bool Carver::cut(const Outline& outline, std::span<const OutlineSide> lines, Out
     inside = std::move(in);
   }
   return true;
+}
+
+void Carver::bound(const Outline& whole, std::vector<Shadow>& shadows) {
+  Outline inside;
+  std::vector<Outline> outside;
+  std::size_t kept = 0;
+  for (Shadow& shadow : shadows) {
+    if (!cut(whole, shadow.lines, inside, outside)) continue;
+    box_of(inside, shadow.low, shadow.high);
+    if (&shadows[kept] != &shadow) shadows[kept] = std::move(shadow);
+    ++kept;
+  }
+  shadows.resize(kept);
 }
 
 /// Does a line of the shadow separate them? Where not, they may still be apart.

@@ -21,8 +21,6 @@ struct ClipOptions {
   int buffer = 0;
   /// Of each camera; a place counts as seen where it lies in all of them. Cameras beyond the end have none.
   std::vector<std::vector<TextureRegion>> regions;
-  /// Put a corner wherever a corner of another piece of the same plane figure lies on a side.
-  bool t_free = false;
   unsigned threads = 1;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "clip/clip.hpp"
+#include "clip/short_list.hpp"
 #include "exact/plane_lines.hpp"
 
 namespace sightline {
@@ -13,8 +14,8 @@ struct OutlineSide {
 
 /// Sides run counter-clockwise as Outlines sees them; side i ends in corner i, where side i + 1 begins.
 struct Outline {
-  std::vector<OutlineSide> sides;
-  std::vector<glm::dvec3> corner;  // unit coordinates, to the nearest doubles: the same however the outline was made
+  ShortList<OutlineSide, 8> sides;
+  ShortList<glm::dvec3, 8> corner;  // unit coordinates, to the nearest doubles: the same however the outline was made
   std::size_t size() const { return sides.size(); }
 };
 

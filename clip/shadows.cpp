@@ -59,14 +59,14 @@ ShadowFinder::Outcome ShadowFinder::find(SurfaceId surface, View& view, Outlines
     }
   }
 
+  const ApproxPlane& own = scene_.planes().approx(s.plane);
+  const double front = table.eye_side(s.plane);
+  volume_.push_back({front * glm::dvec3(own.n[0], own.n[1], own.n[2]), front * own.d, 0x1p-46});
   wedges_.clear();
   for (const SurfaceEdge& e : scene_.edges(s)) {
     wedges_.push_back(view.wedge(s, e));
     volume_.push_back(as_plane(table, wedges_.back()));
   }
-  const ApproxPlane& own = scene_.planes().approx(s.plane);
-  const double front = table.eye_side(s.plane);
-  volume_.push_back({front * glm::dvec3(own.n[0], own.n[1], own.n[2]), front * own.d, 0x1p-46});
   found_.clear();
   tree_.find(volume_, found_);
 

@@ -17,6 +17,7 @@ namespace sightline {
 struct Shadow {
   std::vector<OutlineSide> lines;
   std::vector<glm::dvec3> rough;  // the same in doubles, found from the scene alone
+  glm::dvec3 low{-1}, high{1};    // unit coordinates: what it hides of the surface lies within
 };
 
 /// Finds them, and the lines of the camera's frame, for one surface and camera after the other.

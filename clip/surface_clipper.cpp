@@ -27,15 +27,16 @@ ClippedSurface SurfaceClipper::clip(SurfaceId surface) {
   std::vector<CarvedPart> parts;
   const PlaneId plane = scene_.surfaces()[surface].plane;
   const bool backwards = scene_.planes().approx(plane).n[outlines.lines().axis()] < 0;
-  const std::vector<glm::dvec3> corners = pieces[0].outline.corner;
+  const Outline whole = pieces[0].outline;
   for (std::size_t c = 0; c < views_.size(); ++c) {
     if (!views_[c].faces(scene_.surfaces()[surface])) continue;
-    if (buffers_[c].hides(corners, plane, backwards)) {
+    if (buffers_[c].hides(whole.corner, plane, backwards)) {
       ++stats_.buffer_proofs;
       continue;
     }
     if (finder_.find(surface, views_[c], outlines, frame, shadows) == ShadowFinder::unseen) continue;
     stats_.shadows += shadows.size();
+    if (pieces.size() > 3) carver.bound(whole, shadows);
     next.clear();
     for (SurfacePiece& piece : pieces) {
       parts.clear();

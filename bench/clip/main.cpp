@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -21,13 +22,26 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
 }
 
-double longest_side(const Scene& scene) {
+/// Areas that thresholds may be parts of.
+double square_of_longest_side(const Scene& scene) {
   glm::dvec3 low{1e300}, high{-1e300};
   for (const glm::dvec3& v : scene.soup().vertices) {
     low = glm::min(low, v);
     high = glm::max(high, v);
   }
-  return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const double side = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  return side * side;
+}
+double mean_polygon(const Scene& scene) {
+  double sum = 0;
+  for (const Surface& s : scene.surfaces()) {
+    glm::dvec3 twice{0};
+    const auto edges = scene.edges(s);
+    const auto at = [&](std::size_t k) { return scene.soup().vertices[edges[k].corner]; };
+    for (std::size_t k = 2; k < edges.size(); ++k) twice += glm::cross(at(k - 1) - at(0), at(k) - at(0));
+    sum += glm::length(twice) / 2;
+  }
+  return sum / scene.polygon_count();
 }
 
 /// The part of each camera's window, summed up, in which something is seen: the same for both, but for their roundings.
@@ -81,10 +95,13 @@ int main(int argc, char** argv) {
   CLI::App app{"Tables 2 to 5 of Yu's hybrid"};
   std::vector<std::string> names{"tower", "campus", "random"};
   std::vector<double> thresholds{0.0001, 0.001, 0.01};
+  std::string relative = "polygon";
   int buffer = 0;
   bool alone = false, one_sided = true;
   app.add_option("models", names);
-  app.add_option("--thresholds", thresholds, "areas, of a model whose longest side is 1");
+  app.add_option("--thresholds", thresholds, "areas, of --relative");
+  app.add_option("--relative", relative, "polygon: the model's mean polygon; box: the square of its longest side")
+      ->check(CLI::IsMember({"polygon", "box"}));
   app.add_option("--buffer", buffer);
   app.add_flag("--one-sided,!--two-sided", one_sided, "only the open sides of polygons are seen, or hide anything");
   app.add_flag("--alone", alone, "without the baseline");
@@ -99,10 +116,10 @@ int main(int argc, char** argv) {
     std::vector<Camera> cameras;
     for (const CameraLine& c : model.cameras)
       cameras.push_back(make_camera(c.eye, c.forward, c.up, c.vertical_fov_degrees, c.aspect));
-    const double side = longest_side(scene);
+    const double unit = relative == "box" ? square_of_longest_side(scene) : mean_polygon(scene);
     for (const double threshold : thresholds) {
       ClipOptions options;
-      options.threshold = threshold * side * side;
+      options.threshold = threshold * unit;
       options.buffer = buffer;
       const double start = cpu_seconds();
       const ClipResult ours = clip(scene, cameras, options);

@@ -153,7 +153,7 @@ std::string ExactPieces::faults() {
         if (!nearest(at[i], figure[k][i])) fault(p, "a coordinate is not the nearest double");
       const Point &next = figure[(k + 1) % figure.size()], &third = figure[(k + 2) % figure.size()];
       const Rational turn = dot(cross(next - figure[k], third - next), normal);
-      if (turn < 0 || (turn == 0 && !options_.t_free)) fault(p, "not convex");
+      if (turn <= 0) fault(p, "not convex");
     }
   }
   for (SurfaceId s = 0; s < scene_.surfaces().size(); ++s) {
