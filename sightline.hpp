@@ -5,6 +5,7 @@
 #include "bsp/build.hpp"
 #include "bsp/tree.hpp"
 #include "clip/clip.hpp"
+#include "clip/files.hpp"
 #include "exact/grid.hpp"
 #include "exact/limbs.hpp"
 #include "exact/plane_lines.hpp"

@@ -34,6 +34,7 @@ using Run = std::function<int()>;
 void add_model_command(CLI::App& root, Run& run);
 void add_build_command(CLI::App& root, Run& run);
 void add_trace_command(CLI::App& root, Run& run);
+void add_clip_command(CLI::App& root, Run& run);
 void add_verify_command(CLI::App& root, Run& run);
 
 }  // namespace sightline::app

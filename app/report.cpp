@@ -47,6 +47,15 @@ Json complex_json(const ComplexFigures& c) {
           {"lazy", c.lazy},       {"nodes", c.nodes},         {"pieces", c.pieces}};
 }
 
+Json clip_json(const ClipFigures& c) {
+  return {{"pieces", c.pieces},
+          {"seen", c.seen},
+          {"cuts", c.cuts},
+          {"buffer_proofs", c.buffer_proofs},
+          {"buffer_seconds", c.buffer_seconds},
+          {"clip_seconds", c.clip_seconds}};
+}
+
 Json camera_json(std::size_t index, const CameraFigures& c) {
   if (!c.error.empty()) return {{"index", index}, {"error", c.error}};
   return {{"index", index},   {"seconds", c.seconds}, {"beams", c.beams},       {"cells", c.cells},
@@ -91,6 +100,7 @@ std::string report_json(const Report& report, const CommonOptions& options) {
                {"peak_bytes", peak_bytes()}};
   if (report.scene) json["scene"] = scene_json(*report.scene);
   if (report.complex) json["complex"] = complex_json(*report.complex);
+  if (report.clip) json["clip"] = clip_json(*report.clip);
   json["cameras"] = Json::array();
   for (std::size_t k = 0; k < report.cameras.size(); ++k) json["cameras"].push_back(camera_json(k, report.cameras[k]));
   json["decisions"] = decisions_json();

@@ -30,6 +30,12 @@ struct CameraFigures {
   std::string error;    // why it failed; empty when it did not
 };
 
+/// Of the pieces of `clip`.
+struct ClipFigures {
+  std::size_t pieces = 0, seen = 0, cuts = 0, buffer_proofs = 0;
+  double buffer_seconds = 0, clip_seconds = 0;
+};
+
 struct Report {
   std::string command;
   std::optional<Scene> scene;
@@ -37,6 +43,7 @@ struct Report {
   std::vector<CameraFigures> cameras;
   double seconds = 0;  // the whole run, reading and writing included
   int exit_code = 0;
+  std::optional<ClipFigures> clip = {};
 };
 
 /// The report as JSON, with the decision tallies and the peak of memory of this process.

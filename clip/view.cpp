@@ -51,6 +51,8 @@ Sign direction(std::span<const glm::dvec2> p) {
 
 }  // namespace
 
+void check_region(const TextureRegion& region) { direction(region.points); }
+
 View::View(const Scene& scene, const Camera& camera, std::uint32_t index, std::span<const TextureRegion> regions)
     : scene_(scene),
       camera_(camera),

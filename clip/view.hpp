@@ -12,6 +12,9 @@ struct NamedLine {
   ClipSide name;
 };
 
+/// Throws std::invalid_argument if it is not strictly convex.
+void check_region(const TextureRegion& region);
+
 /// Not for two threads at once: sightlines are made on demand.
 class View {
  public:

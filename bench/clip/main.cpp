@@ -34,11 +34,11 @@ double square_of_longest_side(const Scene& scene) {
 }
 double mean_polygon(const Scene& scene) {
   double sum = 0;
-  for (const Surface& s : scene.surfaces()) {
+  for (PolygonId p = 0; p < scene.polygon_count(); ++p) {
     glm::dvec3 twice{0};
-    const auto edges = scene.edges(s);
-    const auto at = [&](std::size_t k) { return scene.soup().vertices[edges[k].corner]; };
-    for (std::size_t k = 2; k < edges.size(); ++k) twice += glm::cross(at(k - 1) - at(0), at(k) - at(0));
+    const auto corners = scene.corners(p);
+    const auto at = [&](std::size_t k) { return scene.soup().vertices[corners[k]]; };
+    for (std::size_t k = 2; k < corners.size(); ++k) twice += glm::cross(at(k - 1) - at(0), at(k) - at(0));
     sum += glm::length(twice) / 2;
   }
   return sum / scene.polygon_count();
