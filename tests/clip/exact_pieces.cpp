@@ -266,8 +266,10 @@ double ExactPieces::area(PolygonId polygon, std::uint32_t camera) const {
   const Camera& c = cameras_[camera];
   const Point f = exact(c.forward), r = exact(c.right), u = exact(c.up);
   double sum = 0;
-  for (std::size_t p = 0; p < result_.pieces.size(); ++p) {
-    if (result_.pieces[p].polygon != polygon || !lists(result_.pieces[p], camera)) continue;
+  const auto [first, last] = std::ranges::equal_range(result_.pieces, polygon, {}, &ClipPiece::polygon);
+  for (auto piece = first; piece != last; ++piece) {
+    if (!lists(*piece, camera)) continue;
+    const auto p = static_cast<std::size_t>(piece - result_.pieces.begin());
     std::vector<std::array<Rational, 2>> st;
     for (const Point& x : outline(p)) {
       const Point v = x - eye_[camera];
