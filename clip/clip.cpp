@@ -42,11 +42,13 @@ void append(ClipResult& result, const Scene& scene, SurfaceId surface, ClippedSu
   }
 }
 
-/// A power of two: about eight pixels to a surface's width, were all of them in view side by side.
-int chosen_size(const Scene& scene) {
+/// A power of two: about eight pixels to a surface's width, were all of them in view side by side; all cameras' buffers
+/// together below 256 MiB, for as long as a side has 64.
+int chosen_size(const Scene& scene, std::size_t cameras) {
   const double wanted = 8 * std::sqrt(static_cast<double>(scene.surfaces().size()));
+  const double most = std::sqrt(0x1p28 / sizeof(float) / static_cast<double>(cameras));
   int size = 64;
-  while (size < wanted && size < 1024) size *= 2;
+  while (size < wanted && 2 * size <= most && size < 1024) size *= 2;
   return size;
 }
 
@@ -80,7 +82,7 @@ ClipResult clip(const Scene& scene, std::span<const Camera> cameras, const ClipO
   std::atomic<std::size_t> next_camera = 0;
   in_threads(options.threads, [&] {
     for (std::size_t c = next_camera++; c < cameras.size(); c = next_camera++)
-      drawn[c].emplace(scene, cameras[c], options.buffer > 0 ? options.buffer : chosen_size(scene));
+      drawn[c].emplace(scene, cameras[c], options.buffer > 0 ? options.buffer : chosen_size(scene, cameras.size()));
   });
   std::vector<CoverBuffer> buffers;
   for (auto& buffer : drawn) buffers.push_back(std::move(*buffer));

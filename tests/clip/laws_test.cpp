@@ -115,5 +115,19 @@ TEST(ClipLaws, CoplanarPolygons) {
   EXPECT_EQ(exact.area(2, 0), 0);
 }
 
+// An eye whose place in the scene's own unit is beyond the largest double: filters that are not numbers decide nothing.
+TEST(ClipLaws, EyesBeyondTheDoubles) {
+  PolygonSoup soup = make_model("rooms").soup;
+  for (glm::dvec3& v : soup.vertices) v *= 0x1p-500;
+  const Scene scene = make_scene(soup);
+  std::vector<Camera> cameras;
+  for (const double far : {0x1p-400, 1.0, 0x1p600})
+    cameras.push_back(make_camera(glm::dvec3{1, 0.75, 0.5} * far, {-1, -0.75, -0.5}, {0, 0, 1}, 80, 1.25));
+  const ClipOptions options;
+  const ClipResult result = clip(scene, cameras, options);
+  ExactPieces exact(scene, cameras, options, result);
+  EXPECT_EQ(exact.faults() + exact.wrong_rays(11, 1), "");
+}
+
 }  // namespace
 }  // namespace sightline::testing
