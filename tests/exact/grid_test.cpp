@@ -88,6 +88,7 @@ RC_GTEST_PROP(GridLaws, Law4Snap, (std::uint64_t seed)) {
       const auto i = static_cast<int>(k);
       const mpq_class off = abs((mpq_class(g.c[k]) + mpq_class(grid.origin()[k])) - mpq_class(p[i]) / unit[which]);
       RC_ASSERT(off <= mpq_class(1, 2));
+      RC_ASSERT(grid.world(Integer(-7 * g.c[k]), -7, i) == grid.world(g.c[k], i));
       const Integer whole = g.c[k] + grid.origin()[k];
       RC_ASSERT(off < mpq_class(1, 2) || mpz_even_p(whole.get_mpz_t()) != 0);
       moved[i] = grid.world(g.c[k], i);
