@@ -64,13 +64,22 @@ PlaneLines::Cut PlaneLines::of_sightline(const SightlineTable& from, SightlineRe
   const std::uint32_t stride = words_for(from.bits(q.id));
   const auto bits = static_cast<int>(from.bits(q.id));
   // The offset n.eye, in steps of the eye's grid: three products.
-  const int offset_bits = bits + from.eye_bits() + 2;
+  int eye_bits = 0;
+  for (const Integer& c : from.eye().c) eye_bits = std::max(eye_bits, static_cast<int>(magnitude_bits(c)));
+  const int offset_bits = bits + eye_bits + 2;
   const std::uint32_t words = words_for(static_cast<std::uint32_t>(offset_bits));
   offset_.assign(words, 0);
   at_width(offset_bits, [&](auto width) {
     constexpr int W = width();
     const Wide3<W> n = load3<W>(normal, stride);
-    const Wide3<W> eye = load3<W>(from.eye_words(), from.eye_stride());
+    Wide3<W> eye;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if constexpr (W == 0) {
+        eye[c] = from.eye().c[c];
+      } else {
+        store_words(from.eye().c[c], eye[c].word, W);
+      }
+    }
     const Wide<W> d = dot<W, W, W>(n, eye);
     if constexpr (W == 0) {
       store_words(d, offset_.data(), words);

@@ -99,10 +99,6 @@ class SightlineTable {
   const std::uint64_t* words(SightlineId id) const { return words_.data() + line_[id].first; }
   const PlaneTable& planes() const { return *planes_; }
   const GridPoint& eye() const { return eye_; }
-  /// Its coordinates' words, eye_stride() each, and the bit length of the longest.
-  const std::uint64_t* eye_words() const { return exact_eye_.words.data(); }
-  std::uint32_t eye_stride() const { return exact_eye_.stride; }
-  int eye_bits() const { return exact_eye_.bits; }
   /// The eye in unit coordinates, each the nearest double.
   const glm::dvec3& eye_approx() const { return exact_eye_.approx; }
 
