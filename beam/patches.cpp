@@ -245,19 +245,23 @@ bool Patches::split(const Patch& patch, SightlineRef line, Patch& front, Patch& 
   return true;
 }
 
-/// Follows the sides from the first one on, by the rays in which they meet.
-bool Patches::simple(const Patch& patch, std::uint32_t& other) {
+/// Notes, for a walk along the sides, which of them begins in each ray. False: two begin in one, `again` is the second.
+bool Patches::index_sides(const Patch& patch, std::uint32_t& again) {
   ++walk_;
   const auto all = sides(patch);
-  for (std::uint32_t k = 0; k < all.size(); ++k) {
-    Corner& begin = corners_[root(all[k].from)];
-    if (begin.walk == walk_) {
-      other = k;
-      return false;
-    }
+  for (again = 0; again < all.size(); ++again) {
+    Corner& begin = corners_[root(all[again].from)];
+    if (begin.walk == walk_) return false;
     begin.walk = walk_;
-    begin.at = k;
+    begin.at = again;
   }
+  return true;
+}
+
+/// Follows the sides from the first one on, by the rays in which they meet.
+bool Patches::simple(const Patch& patch, std::uint32_t& other) {
+  if (!index_sides(patch, other)) return false;
+  const auto all = sides(patch);
   std::uint32_t k = 0, passed = 0;
   do {
     Corner& begin = corners_[root(all[k].from)];

@@ -57,7 +57,6 @@ class Patches {
   double part_slivers(Patch& patch, double angle, std::vector<Patch>& slivers);
 
   std::span<const FragmentSide> sides(const Patch& p) const { return std::span(sides_).subspan(p.first, p.count); }
-  const glm::dvec3& ray(std::uint32_t corner) const { return corners_[corner].ray; }
   const FrameBox& box(std::uint32_t side) const { return boxes_[side]; }
 
   /// Adds a simple patch to the fragments.
@@ -108,10 +107,9 @@ class Patches {
     glm::dvec3 normal;
     std::uint32_t corner;
   };
-  /// What a side of the patch and the closed figure have in common: its part between two corners, and the lines of
-  /// the outline that these are on.
+  /// What a side of the patch and the closed figure have in common: its part between two corners.
   struct Contact {
-    std::uint32_t side, from, to, on_from, on_to;
+    std::uint32_t side, from, to;
     enum Kind : std::uint8_t { point, along, through } kind;
     bool same;  // along: the patch lies on the figure's side of it
   };
@@ -129,7 +127,9 @@ class Patches {
     SightlineRef line;
     enum Kind : std::uint8_t { wide, narrow, narrow_hole, parted } kind;
   };
+  bool index_sides(const Patch& patch, std::uint32_t& again);
   bool find_loops(const Patch& patch);
+  void add_loop(const Loop& loop);
   void measure(Loop& loop, double narrow);
   bool in_strip(const Loop& loop, const Loop& strip) const;
   std::pair<std::uint32_t, std::uint32_t> places(std::uint32_t corner);

@@ -82,18 +82,19 @@ void Patches::meet(std::uint32_t index) {
     }
     return best;
   };
-  Contact c{index, side.from, side.to, from_on, to_on, Contact::through, false};
+  Contact c{index, side.from, side.to, Contact::through, false};
+  std::uint32_t on_from = from_on, on_to = to_on;  // the outline's lines that its ends are on
   bool at_end = false, at_start = false;
   Meeting entry, exit;
   if (from_behind != 0) {
     at_end = (from_behind & to_on) != 0;
     if (!at_end) entry = extreme(from_behind, 1);
-    c.on_from = at_end ? to_on : entry.on | along;
+    on_from = at_end ? to_on : entry.on | along;
   }
   if (to_behind != 0) {
     at_start = (to_behind & from_on) != 0;
     if (!at_start) exit = extreme(to_behind, -1);
-    c.on_to = at_start ? from_on : exit.on | along;
+    on_to = at_start ? from_on : exit.on | along;
   }
   if ((at_end && to_behind != 0) || (at_start && from_behind != 0)) return;
   bool point = at_end || at_start;
@@ -102,7 +103,7 @@ void Patches::meet(std::uint32_t index) {
     if (sign < 0) return;
     if (sign == 0) {
       point = true;
-      c.on_from = c.on_to = entry.on | exit.on;
+      on_from = on_to = entry.on | exit.on;
     }
   }
   const auto corner_at = [&](const Meeting& m, Sign sense, std::uint32_t on) {
@@ -110,8 +111,8 @@ void Patches::meet(std::uint32_t index) {
     const SightlineRef across = sense > 0 ? -side.line : side.line;
     return make_corner(across, outline_[m.line].line);
   };
-  if (from_behind != 0) c.from = at_end ? side.to : corner_at(entry, 1, c.on_from);
-  if (to_behind != 0) c.to = at_start ? side.from : point && !at_end ? c.from : corner_at(exit, -1, c.on_to);
+  if (from_behind != 0) c.from = at_end ? side.to : corner_at(entry, 1, on_from);
+  if (to_behind != 0) c.to = at_start ? side.from : point && !at_end ? c.from : corner_at(exit, -1, on_to);
   c.kind = point ? Contact::point : along == 0 ? Contact::through : Contact::along;
   if (along != 0) {
     const auto k = static_cast<std::size_t>(std::countr_zero(along));
@@ -123,8 +124,8 @@ void Patches::meet(std::uint32_t index) {
     rim_.push_back(
         {outline_place(on), sense > 0 ? side.line : -side.line, corner, through ? sense : 0, minus ? sense : 0});
   };
-  add(c.on_from, c.from, -1, from_behind != 0);
-  add(c.on_to, c.to, 1, to_behind != 0);
+  add(on_from, c.from, -1, from_behind != 0);
+  add(on_to, c.to, 1, to_behind != 0);
   contacts_.push_back(c);
 }
 

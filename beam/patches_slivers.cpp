@@ -27,14 +27,9 @@ SightlineRef Patches::middle_line(const Patch& patch) const {
 
 /// The loops of a patch whose corners are all different rays; false where they are not.
 bool Patches::find_loops(const Patch& patch) {
-  ++walk_;
+  std::uint32_t again = 0;
+  if (!index_sides(patch, again)) return false;
   const auto all = sides(patch);
-  for (std::uint32_t k = 0; k < all.size(); ++k) {
-    Corner& begin = corners_[root(all[k].from)];
-    if (begin.walk == walk_) return false;
-    begin.walk = walk_;
-    begin.at = k;
-  }
   loops_.clear();
   loop_sides_.clear();
   for (std::uint32_t start = 0; start < all.size(); ++start) {
@@ -99,6 +94,13 @@ bool Patches::in_strip(const Loop& loop, const Loop& strip) const {
   });
 }
 
+void Patches::add_loop(const Loop& loop) {
+  for (std::uint32_t k = loop.first; k < loop.first + loop.count; ++k) {
+    const FragmentSide side = sides_[loop_sides_[k]];
+    add_side(side.line, side.from, side.to);
+  }
+}
+
 double Patches::part_slivers(Patch& patch, double angle, std::vector<Patch>& slivers) {
   if (patch.empty() || !find_loops(patch)) return 0;
   bool any = false;
@@ -115,20 +117,13 @@ double Patches::part_slivers(Patch& patch, double angle, std::vector<Patch>& sli
     loop.kind = Loop::parted;
     area += 1.001 * loop.width * loop.length;  // the angle is that much longer than its sine at most: it is narrow
     const auto first = static_cast<std::uint32_t>(sides_.size());
-    for (std::uint32_t k = loop.first; k < loop.first + loop.count; ++k) {
-      const FragmentSide side = sides_[loop_sides_[k]];
-      add_side(side.line, side.from, side.to);
-    }
+    add_loop(loop);
     slivers.push_back(since(first));
   }
   if (area == 0) return 0;
   const auto first = static_cast<std::uint32_t>(sides_.size());
   for (const Loop& loop : loops_) {
-    if (loop.kind == Loop::parted) continue;
-    for (std::uint32_t k = loop.first; k < loop.first + loop.count; ++k) {
-      const FragmentSide side = sides_[loop_sides_[k]];
-      add_side(side.line, side.from, side.to);
-    }
+    if (loop.kind != Loop::parted) add_loop(loop);
   }
   patch = since(first);
   return area;

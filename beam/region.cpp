@@ -54,13 +54,17 @@ int Regions::classify(SightlineTable& table, Region region, SightlineRef line) {
   return found;
 }
 
-Regions::Region Regions::part(Region region, SightlineRef line, const glm::dvec3& normal, Sign side) {
+Regions::Region Regions::clip(SightlineTable& table, Region region, SightlineRef line) {
+  const int found = classify(table, region, line);
+  if (!(found & 2)) return {region.first, 0};
+  if (!(found & 1)) return region;
+  const glm::dvec3 normal = inward(table, line);
   // Keep the sides that have a corner inside; the line itself goes where they leave off.
   Region cut{mark(), 0};
   std::uint32_t own = 0;  // where the line stands among the sides
-  Sign before = side * sign_[region.count - 1];
+  Sign before = sign_[region.count - 1];
   for (std::uint32_t k = 0; k < region.count; ++k) {
-    const Sign after = side * sign_[k];
+    const Sign after = sign_[k];
     if (before > 0 || after > 0) {
       stack_.push_back(stack_[region.first + k]);
       if (after <= 0) {
@@ -76,33 +80,6 @@ Regions::Region Regions::part(Region region, SightlineRef line, const glm::dvec3
   last.corner = glm::cross(normal, last.normal);
   made[own].corner = glm::cross(made[own + 1 == cut.count ? 0 : own + 1].normal, normal);
   return cut;
-}
-
-Regions::Region Regions::clip(SightlineTable& table, Region region, SightlineRef line) {
-  const int found = classify(table, region, line);
-  if (!(found & 2)) return {region.first, 0};
-  if (!(found & 1)) return region;
-  return part(region, line, inward(table, line), 1);
-}
-
-bool Regions::carve(SightlineTable& table, Region region, std::span<const SightlineRef> lines, Region& inside,
-                    std::vector<Region>& outside) {
-  const std::uint32_t bottom = mark();
-  const std::size_t made = outside.size();
-  inside = region;
-  for (const SightlineRef line : lines) {
-    const int found = classify(table, inside, line);
-    if (!(found & 2)) {
-      release(bottom);
-      outside.resize(made);
-      return false;
-    }
-    if (!(found & 1)) continue;
-    const glm::dvec3 normal = inward(table, line);
-    outside.push_back(part(inside, -line, -normal, -1));
-    inside = part(inside, line, normal, 1);
-  }
-  return true;
 }
 
 }  // namespace sightline

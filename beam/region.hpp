@@ -28,11 +28,6 @@ class Regions {
   /// The part of a region on the inner side of a line, on top of the stack. The very region where nothing is cut off;
   /// empty where no interior is left.
   Region clip(SightlineTable& table, Region region, SightlineRef line);
-  /// Cuts a region along the outline of a convex figure, given by lines with normals pointing into it, where they
-  /// cross. True: `inside` is what the two have in common, and `outside`, to which is appended, the rest of the region
-  /// in convex parts. False: they have no interior in common, and nothing was made.
-  bool carve(SightlineTable& table, Region region, std::span<const SightlineRef> lines, Region& inside,
-             std::vector<Region>& outside);
   std::span<const RegionSide> sides(Region r) const { return std::span(stack_).subspan(r.first, r.count); }
 
   std::uint32_t mark() const { return static_cast<std::uint32_t>(stack_.size()); }
@@ -41,8 +36,6 @@ class Regions {
  private:
   /// Where a line passes: bit 0: corners behind it, bit 1: in front. Their signs are in sign_.
   int classify(SightlineTable& table, Region region, SightlineRef line);
-  /// The part on the inner side of a line that both sides are known of, by sign_ times `side`.
-  Region part(Region region, SightlineRef line, const glm::dvec3& normal, Sign side);
 
   std::vector<RegionSide> stack_;
   std::vector<std::int8_t> sign_;
