@@ -29,7 +29,7 @@ struct TraceCommand {
   CommonOptions common;
   std::filesystem::path input, cameras, folder;
   std::string formats = "map";
-  double min_angle = 0;
+  TraceOptions options;
   std::vector<double> window;  // low s, low t, high s, high t
 };
 
@@ -138,10 +138,11 @@ ComplexFigures complex_of(Input& input) {
 int trace_cameras(TraceCommand& command) {
   check(command.common);
   const std::set<std::string> formats = checked_formats(command.formats);
-  if (!(command.min_angle >= 0 && command.min_angle <= 0.01)) {
+  if (!(command.options.min_angle >= 0 && command.options.min_angle <= 0.01)) {
     throw UsageError("--min-angle: radians from 0 to 0.01");
   }
-  if (command.min_angle != 0 && command.common.engine == "cells") {
+  if (!(command.options.max_distance > 0)) throw UsageError("--max-distance: a positive number");
+  if (command.options.min_angle != 0 && command.common.engine == "cells") {
     throw UsageError("--min-angle: not with --engine cells, which follows all beams");
   }
   const Stopwatch watch;
@@ -175,7 +176,10 @@ int trace_cameras(TraceCommand& command) {
   tell(describe(*report.complex), command.common.quiet);
 
   MapWriter writer(command.folder, formats, cameras.size());
-  const Tracer tracer = tree ? Tracer(*tree, {command.min_angle}) : Tracer(input.scene, *input.complex);
+  // Threads that have no camera of their own share one.
+  const auto count = static_cast<unsigned>(cameras.size());
+  command.options.threads = std::max(1u, command.common.threads / std::max(1u, count));
+  const Tracer tracer = tree ? Tracer(*tree, command.options) : Tracer(input.scene, *input.complex, command.options);
   report.cameras = trace_all(tracer, input.scene, cameras, writer, command.common);
   writer.finish();
   std::size_t failed = 0;
@@ -209,10 +213,13 @@ void add_trace_command(CLI::App& root, Run& run) {
       ->expected(4)
       ->delimiter(',')
       ->type_name("S0,T0,S1,T1");
-  sub->add_option("--min-angle", command->min_angle,
+  sub->add_option("--min-angle", command->options.min_angle,
                   "Radians: what is narrower is not followed; the report bounds what that leaves out. 0: exact")
       ->type_name("A")
       ->capture_default_str();
+  sub->add_option("--max-distance", command->options.max_distance,
+                  "In the scene's units: polygons whose bounding box is farther from the eye are left out")
+      ->type_name("D");
   add_common_options(*sub, command->common);
   sub->callback([command, &run] { run = [command] { return trace_cameras(*command); }; });
 }

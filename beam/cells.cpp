@@ -5,14 +5,16 @@ namespace {
 
 class Cells : public Engine {
  public:
-  Cells(const Scene& scene, const Complex& complex, std::shared_ptr<const Topology> topology)
-      : Engine(scene, complex.planes), complex_(complex), topology_(std::move(topology)) {}
+  Cells(const Scene& scene, const Complex& complex, std::shared_ptr<const Topology> topology, double max_distance)
+      : Engine(scene, complex.planes, max_distance), complex_(complex), topology_(std::move(topology)) {}
 
-  std::unique_ptr<Engine> copy() const override { return std::make_unique<Cells>(view.scene, complex_, topology_); }
-  void begin() override;
+  std::unique_ptr<Engine> copy() const override {
+    return std::make_unique<Cells>(view.scene, complex_, topology_, view.reach.distance());
+  }
   void fill(std::span<const SightlineRef> window, const glm::dvec3& ahead) override;
 
  private:
+  void begin() override;
   void find_cells();
   void enter_from_outside(Regions::Region region);
   void enter(CellId cell, PlaneId through, Regions::Region region);
@@ -49,7 +51,7 @@ SightlineRef Cells::line_of(EdgeId e) {
 bool Cells::opaque(const Face& face, Sign eye_side) const {
   if (face.label == 0) return false;
   for (const SurfaceId s : complex_.surfaces_on(face)) {
-    if (view.opaque(s, eye_side)) return true;
+    if (view.opaque(s, eye_side) && view.in_reach(s)) return true;
   }
   return false;
 }
@@ -208,8 +210,8 @@ void Cells::fill(std::span<const SightlineRef> window, const glm::dvec3&) {
 
 }  // namespace
 
-std::unique_ptr<Engine> cells_engine(const Scene& scene, const Complex& complex) {
-  return std::make_unique<Cells>(scene, complex, std::make_shared<const Topology>(complex));
+std::unique_ptr<Engine> cells_engine(const Scene& scene, const Complex& complex, double max_distance) {
+  return std::make_unique<Cells>(scene, complex, std::make_shared<const Topology>(complex), max_distance);
 }
 
 }  // namespace sightline

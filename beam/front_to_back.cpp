@@ -15,14 +15,16 @@ constexpr std::uint32_t most_sides = 32;
 
 class FrontToBack : public Engine {
  public:
-  FrontToBack(const BspTree& tree, double min_angle)
-      : Engine(tree.scene(), tree.scene().planes()), tree_(tree), min_angle_(min_angle) {}
+  FrontToBack(const BspTree& tree, double min_angle, double max_distance)
+      : Engine(tree.scene(), tree.scene().planes(), max_distance), tree_(tree), min_angle_(min_angle) {}
 
-  std::unique_ptr<Engine> copy() const override { return std::make_unique<FrontToBack>(tree_, min_angle_); }
-  void begin() override;
+  std::unique_ptr<Engine> copy() const override {
+    return std::make_unique<FrontToBack>(tree_, min_angle_, view.reach.distance());
+  }
   void fill(std::span<const SightlineRef> window, const glm::dvec3& ahead) override;
 
  private:
+  void begin() override;
   /// Open patches stand on a stack; a node is given those from `first` up, and leaves there what remains of them.
   void visit(TreeNode& node, std::size_t first);
   void descend(TreeNode* child, std::size_t first);
@@ -176,7 +178,7 @@ void FrontToBack::take_out(const TreeNode& node, Sign eye, std::size_t first) {
       continue;
     }
     const TreePiece& piece = node.pieces[i];
-    if (!view.opaque(piece.surface, eye) || !in_sight(piece.box, first)) continue;
+    if (!view.opaque(piece.surface, eye) || !in_sight(piece.box, first) || !view.in_reach(piece.surface)) continue;
     lines_.clear();
     Patch inside, outside;
     for (std::size_t k = 0, n = seen_.size(); k < n; ++k) {
@@ -227,7 +229,7 @@ void FrontToBack::see(const Patch& patch, std::span<const SurfaceId> on) {
 
 void FrontToBack::descend(TreeNode* child, std::size_t first) {
   FrameBox bounds;
-  if (!child || first == open_.size() || !in_window(child->box, bounds)) return;
+  if (!child || first == open_.size() || !in_window(child->box, bounds) || !view.reach.may_hold(*child)) return;
   // Patches that the box cannot be seen in go first, out of the way.
   const auto begin = open_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto reached = std::partition(begin, open_.end(), [&](const Patch& o) {
@@ -264,8 +266,8 @@ void FrontToBack::fill(std::span<const SightlineRef> window, const glm::dvec3& a
 
 }  // namespace
 
-std::unique_ptr<Engine> front_to_back_engine(const BspTree& tree, double min_angle) {
-  return std::make_unique<FrontToBack>(tree, min_angle);
+std::unique_ptr<Engine> front_to_back_engine(const BspTree& tree, double min_angle, double max_distance) {
+  return std::make_unique<FrontToBack>(tree, min_angle, max_distance);
 }
 
 }  // namespace sightline

@@ -1,10 +1,12 @@
 // Beams traced through the winged-pair: from a camera to its visibility map.
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "bsp/tree.hpp"
 #include "visibility_map/map.hpp"
+#include "visibility_map/stitch.hpp"
 #include "winged_pair/complex.hpp"
 
 namespace sightline {
@@ -24,6 +26,12 @@ struct TraceOptions {
   /// been taken out of it, are not followed: nothing is seen in them. TraceStats::left_out bounds how much that is. 0:
   /// all is followed, and the map exact.
   double min_angle = 0;
+  /// In the scene's units, positive. Polygons whose bounding box (along the axes) is farther from the eye, exactly, are
+  /// left out: the map is that of the scene without them.
+  double max_distance = std::numeric_limits<double>::infinity();
+  /// That share the work of one camera, by parts of its window, or of one sphere; the map is the same for any number.
+  /// For few cameras of many faces: tracers on threads of their own are faster for many cameras.
+  unsigned threads = 1;
 };
 
 /// Makes visibility maps by one of two engines, which give the same map, to the byte: `front-to-back` on a tree of the
@@ -35,14 +43,17 @@ struct TraceOptions {
 /// out of range.
 class Tracer {
  public:
-  explicit Tracer(const BspTree& tree, const TraceOptions& options = {});  // front-to-back
-  Tracer(const Scene& scene, const Complex& complex);                      // cells
+  explicit Tracer(const BspTree& tree, const TraceOptions& options = {});                // front-to-back
+  Tracer(const Scene& scene, const Complex& complex, const TraceOptions& options = {});  // cells, without min_angle
   Tracer(const Tracer& other);
   ~Tracer();
 
   void trace(const Camera& camera, VisibilityMap& map, TraceStats* stats = nullptr);
   /// Only which polygons are seen, ascending: those of the map's faces. No map is put together, which is half the work.
   void visible(const Camera& camera, std::vector<PolygonId>& polygons, TraceStats* stats = nullptr);
+  /// Only how much of the window each polygon takes up, ascending by polygon, `none` for where nothing is seen, each to
+  /// within 2^-52 for every side of its fragments.
+  void areas(const Camera& camera, std::vector<PolygonArea>& areas, TraceStats* stats = nullptr);
   /// The map of all directions around the eye: no window, see VisibilityMap::sphere.
   void trace_sphere(const glm::dvec3& eye, VisibilityMap& map, TraceStats* stats = nullptr);
 

@@ -7,7 +7,7 @@ void View::see(Regions::Region region, std::span<const SurfaceId> on, Sign eye_s
   for (const RegionSide& side : regions.sides(region)) lines_.push_back(side.line);
   on_.clear();
   for (const SurfaceId s : on) {
-    if (opaque(s, eye_side)) on_.push_back(s);
+    if (opaque(s, eye_side) && in_reach(s)) on_.push_back(s);
   }
   fragments.add_convex(lines_, on_);
 }

@@ -45,6 +45,7 @@ inline constexpr std::size_t tree_group = 8;
 /// A node parts space by a plane: that of its pieces, or one in free space that meets no piece at all.
 struct TreeNode {
   TreeBox box;           // of all pieces in it and below it
+  float spread = 0;      // at least the diagonal of the bounding box of every polygon with a piece in it or below it
   PlaneId plane = none;  // none: normal.x = d, in free space, exactly as the doubles say
   glm::dvec3 normal{0};
   double d = 0;

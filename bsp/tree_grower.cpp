@@ -42,6 +42,7 @@ TreeNode* TreeGrower::node_of(std::size_t count, Extent& extent) {
   const RoundedBox& box = extent.box;
   if (!parts_.frame().turned()) extent.along = box;
   TreeNode* const n = nodes_.take(1);
+  n->spread = extent.spread;
   n->box = box_between({box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]});
   return n;
 }

@@ -32,8 +32,10 @@ class TreeGrower {
   /// Bounds of the parts on one side of a node.
   struct Extent {
     RoundedBox box, along;
+    float spread = 0;
     void add(const TreeParts& parts, TreePart p) {
       box.add(parts.box(p));
+      spread = std::max(spread, parts.spread(p));
       if (parts.frame().turned()) along.add(parts.along(p));
     }
   };

@@ -10,6 +10,7 @@ TreeSurfaces::TreeSurfaces(const Scene& scene)
       frame_(scene),
       box_(scene.surfaces().size()),
       turned_(frame_.turned() ? box_.size() : 0),
+      spread_(box_.size()),
       area_(std::make_unique<std::atomic<float>[]>(box_.size())) {
   for (SurfaceId s = 0; s < box_.size(); ++s) {
     const auto edges = scene.edges(scene.surfaces()[s]);
@@ -21,6 +22,24 @@ TreeSurfaces::TreeSurfaces(const Scene& scene)
     }
     box_[s].add(low, high);
     if (frame_.turned()) for_corners(s, [&](const glm::dvec3& p) { turned_[s].add(frame_.of(p), frame_.of(p)); });
+  }
+  find_spreads();
+}
+
+/// From the polygon's corners, which may be more than those of its surfaces.
+void TreeSurfaces::find_spreads() {
+  for (SurfaceId s = 0; s < spread_.size(); ++s) {
+    const PolygonId polygon = scene_.surfaces()[s].polygon;
+    if (s > 0 && scene_.surfaces()[s - 1].polygon == polygon) {
+      spread_[s] = spread_[s - 1];
+      continue;
+    }
+    glm::dvec3 low{INFINITY}, high{-INFINITY};
+    for (const PointId corner : scene_.corners(polygon)) {
+      low = glm::min(low, scene_.points().approx(corner));
+      high = glm::max(high, scene_.points().approx(corner));
+    }
+    spread_[s] = static_cast<float>(glm::length(high - low) * (1 + 0x1p-20) + 0x1p-40);
   }
 }
 

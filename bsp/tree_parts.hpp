@@ -39,6 +39,8 @@ class TreeSurfaces {
   /// Bounds along the frame.
   const RoundedBox& along(SurfaceId s) const { return turned_.empty() ? box_[s] : turned_[s]; }
   float area(SurfaceId s) const;
+  /// At least the diagonal of the bounding box of the surface's polygon.
+  float spread(SurfaceId s) const { return spread_[s]; }
   /// A surface may have a corner that is no point of the scene; there is nothing more about it here.
   bool has_points(SurfaceId s) const { return box_[s].low[0] <= box_[s].high[0]; }
   template <class F>
@@ -46,13 +48,16 @@ class TreeSurfaces {
     for (const SurfaceEdge& e : scene_.edges(scene_.surfaces()[s])) f(scene_.points().approx(e.corner));
   }
   std::size_t bytes() const {
-    return box_.size() * (sizeof(RoundedBox) + sizeof(float)) + turned_.size() * sizeof(RoundedBox);
+    return box_.size() * (sizeof(RoundedBox) + 2 * sizeof(float)) + turned_.size() * sizeof(RoundedBox);
   }
 
  private:
+  void find_spreads();
+
   const Scene& scene_;
   TreeFrame frame_;
   std::vector<RoundedBox> box_, turned_;
+  std::vector<float> spread_;
   std::unique_ptr<std::atomic<float>[]> area_;  // 0: not asked for yet; whoever asks finds the same
 };
 
@@ -96,6 +101,7 @@ class TreeParts {
     const CutPart& c = cut_[p - count_];
     return frame().turned() ? c.turned : c.box;
   }
+  float spread(TreePart p) const { return wholes_.spread(surface(p)); }
   float area(TreePart p) const { return whole(p) ? wholes_.area(p) : cut_[p - count_].area; }
   /// Calls with the unit coordinates of each corner, in order.
   template <class F>

@@ -234,4 +234,16 @@ double Grid::step() const {
   return snap_.empty() ? std::ldexp(1.0, exponent_) : nearest_double(unit_.get_num(), unit_.get_den());
 }
 
+mpq_class Grid::exact_step() const {
+  if (!snap_.empty()) return unit_;
+  mpq_class step = 1;
+  const auto bits = static_cast<mp_bitcnt_t>(std::abs(exponent_));
+  if (exponent_ >= 0) {
+    mpq_mul_2exp(step.get_mpq_t(), step.get_mpq_t(), bits);
+  } else {
+    mpq_div_2exp(step.get_mpq_t(), step.get_mpq_t(), bits);
+  }
+  return step;
+}
+
 }  // namespace sightline

@@ -58,6 +58,7 @@ class Grid {
   const std::string& snap() const { return snap_; }
   /// World length of a grid step, rounded to the nearest double.
   double step() const;
+  mpq_class exact_step() const;
 
  private:
   int exponent_ = 0;   // without a snap: step = 2^exponent_

@@ -113,6 +113,17 @@ SightlineRef Window::side(SightlineTable& table, Side which) const {
   return handedness_ > 0 ? ref : -ref;
 }
 
+SightlineRef Window::upright(SightlineTable& table, unsigned k, unsigned n) const {
+  // Spanned by 2n f + (2k - n) r and up, like the left side, which is k = 0.
+  const auto vector = [this](std::uint32_t i) { return load3<0>(words() + 3 * i * stride_, stride_); };
+  const std::array<Integer, 3> f = vector(0), r = vector(1), up = vector(2);
+  std::array<Integer, 3> spanned;
+  for (std::size_t i = 0; i < 3; ++i)
+    spanned[i] = 2 * n * f[i] + (2 * static_cast<long>(k) - static_cast<long>(n)) * r[i];
+  const SightlineRef ref = table.of_normal(cross<0, 0>(spanned, up));
+  return handedness_ > 0 ? ref : -ref;
+}
+
 // With l_f, l_r, l_u the products of a line's normal with forward, right and up, the line is
 // l_f + (s - 1/2) l_r + (t - 1/2) l_u = 0 in the window. Two lines a, b meet where
 //   (s - 1/2) : (t - 1/2) : 1 = a_u b_f - a_f b_u : a_f b_r - a_r b_f : a_r b_u - a_u b_r.

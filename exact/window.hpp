@@ -21,6 +21,8 @@ class Window {
   Window(const glm::dvec3& f, const glm::dvec3& r, const glm::dvec3& u);  // forward, right, up
   /// The window's side as a sightline of the table, its normal pointing into the window.
   SightlineRef side(SightlineTable& table, Side which) const;
+  /// The line s = k / n of the window, 0 < k < n < 2^16, its normal pointing towards greater s.
+  SightlineRef upright(SightlineTable& table, unsigned k, unsigned n) const;
   /// +1: right x up points backwards, as in every camera made from angles; -1: a mirrored camera.
   Sign handedness() const { return handedness_; }
   /// The normal of the window's own plane, away from the eye: largest component in [1/2, 1], each within 2^-53.

@@ -8,8 +8,6 @@
 
 namespace sightline::stitching {
 
-void take_corners(State& s);
-
 namespace {
 
 /// Is corner b strictly after a in the line's positive direction? (N x u_b) comes after (N x u_a), by less than half a

@@ -55,10 +55,14 @@ struct Fragments {
   void clear();
   /// A convex fragment, by its lines in counter-clockwise order: at least 3, each a side of positive length.
   void add_convex(std::span<const SightlineRef> lines, std::span<const SurfaceId> on);
+  /// Those of another part of the view, whose lines are in a table of their own, of the same eye.
+  void append(const Fragments& part, const SightlineTable& from, SightlineTable& to);
 
  private:
   std::uint32_t corner(SightlineRef a, SightlineRef b);
-  StampedMap by_lines_;  // the corners made by add_convex
+  StampedMap by_lines_;                // the corners made by add_convex
+  std::vector<SightlineRef> line_of_;  // by line of the part appended
+  std::vector<std::uint64_t> words_;
 };
 
 }  // namespace sightline

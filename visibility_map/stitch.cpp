@@ -56,10 +56,10 @@ void Stitcher::stitch(const Scene& scene, const Camera& camera, SightlineTable& 
          table, fragments, map);
 }
 
-void Stitcher::stitch(const Scene& scene, const Camera& camera, const Window& window,
-                      const std::array<SightlineRef, 4>& border, SightlineTable& table, const Fragments& fragments,
-                      VisibilityMap& map) {
-  Work& s = *work_;
+namespace {
+
+void set(stitching::State& s, const Scene& scene, const Camera& camera, const Window& window,
+         const std::array<SightlineRef, 4>& border, SightlineTable& table, const Fragments& fragments) {
   s.scene = &scene;
   s.camera = &camera;
   s.window = &window;
@@ -70,9 +70,25 @@ void Stitcher::stitch(const Scene& scene, const Camera& camera, const Window& wi
   const glm::dvec3& f = camera.forward;
   s.ahead = f / std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
   set_frame(s);
+}
+
+}  // namespace
+
+void Stitcher::stitch(const Scene& scene, const Camera& camera, const Window& window,
+                      const std::array<SightlineRef, 4>& border, SightlineTable& table, const Fragments& fragments,
+                      VisibilityMap& map) {
+  set(*work_, scene, camera, window, border, table, fragments);
   map.camera = camera;
   map.sphere = false;
-  run(s, map);
+  run(*work_, map);
+}
+
+void Stitcher::areas(const Scene& scene, const Camera& camera, const Window& window,
+                     const std::array<SightlineRef, 4>& border, SightlineTable& table, const Fragments& fragments,
+                     std::vector<PolygonArea>& areas) {
+  set(*work_, scene, camera, window, border, table, fragments);
+  set_eye(*work_);
+  sum_areas(*work_, areas);
 }
 
 void Stitcher::stitch_sphere(const Scene& scene, const glm::dvec3& eye, SightlineTable& table,

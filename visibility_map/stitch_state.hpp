@@ -7,6 +7,7 @@
 #include "exact/window.hpp"
 #include "visibility_map/fragment.hpp"
 #include "visibility_map/map.hpp"
+#include "visibility_map/stitch.hpp"
 #include "visibility_map/stitch_twofold.hpp"
 
 #include <stdexcept>
@@ -198,6 +199,7 @@ struct State {
   std::vector<Measure> edge_measure;
   std::vector<double> along_apex;  // per vertex: the product of its direction with the apex
   std::vector<std::pair<std::uint32_t, PolygonId>> coincident;
+  std::vector<std::pair<PolygonId, Twofold>> polygon_sums;  // twice the areas of fragments
 };
 
 // The stages.
@@ -208,6 +210,9 @@ void number(State& s, VisibilityMap& map);  // lines, vertices, edges in canonic
 void trace_loops(State& s, VisibilityMap& map);
 void measure(State& s, VisibilityMap& map);
 void name_scene_vertices(State& s, VisibilityMap& map);
+
+/// All there is to do for areas alone: corners, their places, and sums by polygon.
+void sum_areas(State& s, std::vector<PolygonArea>& areas);
 
 /// Does the loop of this half-edge run clockwise in (s,t)? Exactly.
 bool runs_clockwise(State& s, const VisibilityMap& map, std::uint32_t start);
@@ -220,6 +225,8 @@ void place_vertices(State& s);
 /// Exact lexicographic order of rays: by (s,t), on the sphere by direction scaled to a primitive integer vector.
 Sign compare_places(const State& s, CornerId a, CornerId b);
 
+/// The fragments' corners, and which of them are known to be one ray.
+void take_corners(State& s);
 /// The corner of two different lines that is the ray N_line x n_u.
 CornerId add_corner(State& s, SightlineId line, SightlineRef u);
 /// Sign of the turn at the tail that g and h share: +1 if h leaves it counter-clockwise of g by less than half a turn,

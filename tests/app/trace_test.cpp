@@ -150,6 +150,20 @@ TEST(Trace, WhatIsLeftOutIsReported) {
   }
 }
 
+TEST(Trace, WhatIsFarIsLeftOut) {
+  const auto folder = folder_with_model("max_distance", "city", 1);
+  std::size_t faces[3];
+  for (const std::size_t k : {0u, 1u, 2u}) {
+    const char* const distance[] = {"1e-3", "4", "1e9"};
+    const Ended ended = run(folder, {"trace", "m.wp", "--cameras", "c.cameras", "-o", "maps", "--threads", "2",
+                                     "--max-distance", distance[k], "--report", "r.json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    faces[k] = Json::parse(read(folder / "r.json")).at("cameras")[0].at("faces").get<std::size_t>();
+  }
+  EXPECT_EQ(faces[0], 1u);  // the empty window
+  EXPECT_LT(faces[1], faces[2]);
+}
+
 TEST(Trace, SnapIsReported) {
   const auto folder = fresh_folder("snap");
   write(folder / "s.obj", "v 0.1 0 0\nv 1.1 0 0\nv 1.1 1 0\nv 0.1 1.2 0\nf 1 2 3 4\n");

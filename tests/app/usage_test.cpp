@@ -53,6 +53,8 @@ TEST(Usage, WrongUsageIsOneLineAndExitCode2) {
       with(trace, {"--min-angle", "0.5"}),
       with(trace, {"--min-angle", "nan"}),
       with(trace, {"--min-angle", "1e-9", "--engine", "cells"}),
+      with(trace, {"--max-distance", "0"}),
+      with(trace, {"--max-distance", "nan"}),
       with(trace, {"--threads", "0"}),
       with(trace, {"--threads", "-1"}),
       with(trace, {"--threads", "two"}),

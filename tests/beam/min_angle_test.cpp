@@ -4,31 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <stdexcept>
 
 #include "beam/trace.hpp"
-#include "models/model.hpp"
+#include "tests/beam/turned.hpp"
 #include "visibility_map/write.hpp"
 
 namespace sightline {
 namespace {
-
-struct Turned {
-  Turned(const char* name, std::uint32_t polygons, double degrees) {
-    ModelOptions options;
-    options.polygons = polygons;
-    options.rotate_degrees = degrees;
-    const Model model = make_model(name, options);
-    for (std::size_t k = 0; k < model.cameras.size(); k += 5) {
-      const auto& c = model.cameras[k];
-      cameras.push_back(make_camera(c.eye, c.forward, c.up, c.vertical_fov_degrees, c.aspect));
-    }
-    scene.emplace(make_scene(model.soup));
-  }
-  std::optional<Scene> scene;
-  std::vector<Camera> cameras;
-};
 
 std::map<PolygonId, double> areas(const VisibilityMap& map) {
   std::map<PolygonId, double> by_polygon;
