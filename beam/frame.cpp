@@ -1,5 +1,6 @@
 #include "beam/frame.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -33,6 +34,16 @@ FrameBox Frame::bounds(const glm::dvec3& corner) const {
   const double off_y = 2 * doubt * part * (1 + size_y) + 0x1p-22 * size_y;
   return {{static_cast<float>(x - off_x), static_cast<float>(y - off_y), static_cast<float>(-x - off_x),
            static_cast<float>(-y - off_y)}};
+}
+
+/// As in `bounds`, without the rounding to floats.
+bool Frame::place_corner(const glm::dvec3& corner, glm::dvec2& at, double& error) const {
+  constexpr double doubt = 0x1p-46;
+  const double z = glm::dot(z_, corner);
+  if (!(z > 4 * doubt)) return false;
+  at = {glm::dot(x_, corner) / z, glm::dot(y_, corner) / z};
+  error = 2 * doubt / z * (1 + std::max(std::abs(at.x), std::abs(at.y)));
+  return true;
 }
 
 bool Frame::place(const glm::dvec3& from_eye, double& x, double& y) const {

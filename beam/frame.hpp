@@ -1,6 +1,7 @@
 // Bounds of what is seen, on a plane before the eye. Internal to beam/.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 
@@ -54,6 +55,9 @@ class Frame {
   FrameBox bounds(const glm::dvec3& corner) const;
   /// Where a direction from the eye is seen; false unless it is clearly ahead.
   bool place(const glm::dvec3& from_eye, double& x, double& y) const;
+  /// Where a corner, the product of two lines' rounded normals, is seen, each coordinate within `error`; false unless
+  /// it is clearly ahead.
+  bool place_corner(const glm::dvec3& corner, glm::dvec2& at, double& error) const;
   /// Bounds of what is seen of a box; false if all of it lies behind the eye.
   bool bounds(const TreeBox& box, FrameBox& out) const;
 

@@ -11,7 +11,7 @@ namespace sightline {
 namespace {
 
 /// An open patch with more sides than this is split in two.
-constexpr std::uint32_t most_sides = 32;
+constexpr std::uint32_t most_sides = 96;
 
 class FrontToBack : public Engine {
  public:
@@ -51,7 +51,7 @@ class FrontToBack : public Engine {
   Patches patches_;
   ViewScale scale_;
   std::vector<glm::dvec3> window_;  // the normals of its sides
-  std::vector<Patch> open_, slivers_;
+  std::vector<Patch> open_, slivers_, parts_;
   FrameBox piece_bounds_;            // of the piece looked at
   Cone cone_;                        // what is seen of it, once it is needed
   std::vector<SightlineRef> lines_;  // its outline, once it is needed
@@ -210,11 +210,16 @@ void FrontToBack::take_out(const TreeNode& node, Sign eye, std::size_t first) {
   seen_on_.clear();
 }
 
-/// Fragments are connected. A patch that is not, or that has holes, is split along one of its lines until its parts
-/// are; one that no line of its own splits is convex.
+/// Fragments are connected. A patch that is not is taken apart by its loops, or where these touch, or doubles do not
+/// tell which lies in which, split along one of its lines until its parts are single loops; one that no line of its own
+/// splits is convex.
 void FrontToBack::see(const Patch& patch, std::span<const SurfaceId> on) {
   std::uint32_t other = 0;
   if (!patches_.simple(patch, other)) {
+    if (patches_.connected_parts(patch, parts_)) {
+      for (const Patch& part : parts_) patches_.see(part, on, view.fragments);
+      return;
+    }
     Patch a, b;
     for (std::uint32_t k = 0; k < patch.count; ++k) {
       const SightlineRef line = patches_.sides(patch)[(other + k) % patch.count].line;

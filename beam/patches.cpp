@@ -63,11 +63,23 @@ void Patches::add_side(SightlineRef line, std::uint32_t from, std::uint32_t to) 
   boxes_.push_back(corners_[from].box.around(corners_[to].box));
 }
 
+void Patches::set_side(std::uint32_t at, const FragmentSide& side) {
+  sides_[at] = side;
+  boxes_[at] = corners_[side.from].box.around(corners_[side.to].box);
+}
+
+void Patches::bound(Patch& patch) const {
+  if (patch.count == 0) return;
+  patch.bounds = boxes_[patch.first];
+  for (std::uint32_t k = patch.first + 1; k < patch.first + patch.count; ++k) {
+    patch.bounds = patch.bounds.around(boxes_[k]);
+  }
+}
+
 Patch Patches::since(std::uint32_t first) const {
-  Patch p{first, static_cast<std::uint32_t>(sides_.size()) - first, {}};
-  if (p.count == 0) return p;
-  p.bounds = boxes_[first];
-  for (std::uint32_t k = first + 1; k < first + p.count; ++k) p.bounds = p.bounds.around(boxes_[k]);
+  const auto count = static_cast<std::uint32_t>(sides_.size()) - first;
+  Patch p{first, count, count, {}};
+  bound(p);
   return p;
 }
 

@@ -15,6 +15,7 @@ namespace sightline {
 /// inner side on the left as seen from the eye. No side passes through a corner of another.
 struct Patch {
   std::uint32_t first = 0, count = 0;  // of Patches::sides
+  std::uint32_t room = 0;              // how many sides it may have where it is
   FrameBox bounds;
   bool empty() const { return count == 0; }
 };
@@ -40,7 +41,7 @@ class Patches {
   Place look(const Patch& patch, const FrameBox& bounds, const TreeBox& figure) const;
   /// Cuts a convex figure out, the one just looked at, given by lines with normals pointing into it in
   /// counter-clockwise order: `inside` is what the two have in common, `outside` the rest. False: they have no interior
-  /// in common.
+  /// in common. Else the patch is gone: its sides go over to the two.
   bool carve(const Patch& patch, std::span<const SightlineRef> lines, Patch& inside, Patch& outside);
   /// The same for a figure that is known to lie in the patch's interior, its lines in counter-clockwise order.
   void carve_within(const Patch& patch, std::span<const SightlineRef> lines, Patch& inside, Patch& outside);
@@ -51,6 +52,9 @@ class Patches {
   /// Is it one region whose boundary is a single loop? Else `other` is a side (of the patch, from 0) along which to
   /// split it first: one that is not on the loop of side 0 if there is one.
   bool simple(const Patch& patch, std::uint32_t& other);
+
+  /// Its connected parts, holes and all. False where doubles do not tell which loop is a hole, and in what.
+  bool connected_parts(const Patch& patch, std::vector<Patch>& parts);
 
   /// Takes away the parts that lie between a line and another that is less than `angle` (radians, below 0.01) off, as
   /// far as they are loops by themselves, and appends them to `slivers`. Gives a bound on their solid angle.
@@ -123,13 +127,15 @@ class Patches {
   /// A loop of a patch's boundary. Narrow: within `width` (a sine) of `line`, and no longer than `length` (radians).
   struct Loop {
     std::uint32_t first, count;  // in loop_sides_
-    double width, length;
-    SightlineRef line;
-    enum Kind : std::uint8_t { wide, narrow, narrow_hole, parted } kind;
+    double width = 0, length = 0;
+    SightlineRef line{};
+    enum Kind : std::uint8_t { wide, narrow, narrow_hole, parted } kind = wide;
   };
   bool index_sides(const Patch& patch, std::uint32_t& again);
   bool find_loops(const Patch& patch);
   void add_loop(const Loop& loop);
+  double loop_area(const Loop& loop) const;
+  std::size_t loop_around(const Loop& hole, std::span<const Patch> outer) const;
   void measure(Loop& loop, double narrow);
   bool in_strip(const Loop& loop, const Loop& strip) const;
   std::pair<std::uint32_t, std::uint32_t> places(std::uint32_t corner);
@@ -153,6 +159,9 @@ class Patches {
   void add_sorted_caps(SightlineRef line);
   std::uint32_t named_corner(std::size_t first, std::size_t end, SightlineRef line);
   void add_side(SightlineRef line, std::uint32_t from, std::uint32_t to);
+  void set_side(std::uint32_t at, const FragmentSide& side);
+  Patch rest(Patch patch);
+  void bound(Patch& patch) const;
   void add_stops();
   void add_remainder(const FragmentSide& side, const FrameBox& box, std::uint32_t origin);
   Patch since(std::uint32_t first) const;
@@ -169,14 +178,16 @@ class Patches {
   std::vector<FragmentSide> sides_;
   std::vector<FrameBox> boxes_;  // of the sides
   std::uint32_t stamp_ = 0, walk_ = 0;
-  std::vector<Loop> loops_;  // of the patch at hand
+  std::vector<Loop> loops_, holes_;  // of the patch at hand
+  std::vector<double> outer_area_;
+  std::vector<std::size_t> owner_;  // of the holes
   std::vector<std::uint32_t> loop_sides_;
   // The figure at hand.
   std::vector<std::uint32_t> near_;  // sides of the patch that may touch it
   std::vector<OutlineLine> outline_;
   std::vector<Contact> contacts_;
   std::vector<RimEvent> rim_;
-  std::vector<FragmentSide> caps_;
+  std::vector<FragmentSide> caps_, added_;
   // The cut at hand.
   std::vector<Part> parts_;
   std::vector<Event> events_;

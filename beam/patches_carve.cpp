@@ -233,25 +233,66 @@ bool Patches::carve(const Patch& patch, std::span<const SightlineRef> lines, Pat
   for (const FragmentSide& cap : caps_) add_side(cap.line, cap.from, cap.to);
   inside = since(first);
   if (inside.empty()) return false;
-  first = static_cast<std::uint32_t>(sides_.size());
-  auto contact = contacts_.begin();
-  for (std::uint32_t k = patch.first; k < patch.first + patch.count; ++k) {
-    const FragmentSide side = sides_[k];
-    if (contact == contacts_.end() || contact->side != k) {
-      const FrameBox box = boxes_[k];
-      sides_.push_back(side);
-      boxes_.push_back(box);
-      continue;
-    }
-    // No side passes through a corner of another: it ends where it touches the figure, too.
-    if (contact->from != side.from) add_side(side.line, side.from, contact->from);
-    if (contact->kind == Contact::along && !contact->same) add_side(side.line, contact->from, contact->to);
-    if (contact->to != side.to) add_side(side.line, contact->to, side.to);
-    ++contact;
-  }
-  for (const FragmentSide& cap : caps_) add_side(-cap.line, cap.to, cap.from);
-  outside = since(first);
+  outside = rest(patch);
   return true;
+}
+
+/// What the figure at hand leaves: the patch's own sides, but for those that touch it, in place where there is room.
+Patch Patches::rest(Patch patch) {
+  added_.clear();
+  // Backwards, so that what comes from the end into a gap is a side that has been dealt with.
+  for (auto contact = contacts_.rbegin(); contact != contacts_.rend(); ++contact) {
+    const FragmentSide side = sides_[contact->side];
+    bool kept = false;
+    const auto keep = [&](std::uint32_t from, std::uint32_t to) {
+      if (kept) {
+        added_.push_back({side.line, from, to});
+      } else {
+        set_side(contact->side, {side.line, from, to});
+        kept = true;
+      }
+    };
+    // No side passes through a corner of another: it ends where it touches the figure, too.
+    if (contact->from != side.from) keep(side.from, contact->from);
+    if (contact->kind == Contact::along && !contact->same) keep(contact->from, contact->to);
+    if (contact->to != side.to) keep(contact->to, side.to);
+    if (kept) continue;
+    const std::uint32_t last = patch.first + --patch.count;
+    sides_[contact->side] = sides_[last];
+    boxes_[contact->side] = boxes_[last];
+  }
+  for (const FragmentSide& cap : caps_) added_.push_back({-cap.line, cap.to, cap.from});
+  const auto count = patch.count + static_cast<std::uint32_t>(added_.size());
+  if (count > patch.room) {
+    const auto first = static_cast<std::uint32_t>(sides_.size());
+    patch.room = count + count / 2 + 8;
+    sides_.resize(first + patch.room);
+    boxes_.resize(first + patch.room);
+    std::copy_n(sides_.begin() + patch.first, patch.count, sides_.begin() + first);
+    std::copy_n(boxes_.begin() + patch.first, patch.count, boxes_.begin() + first);
+    patch.first = first;
+  }
+  for (const FragmentSide& side : added_) set_side(patch.first + patch.count++, side);
+  bound(patch);
+  return patch;
+}
+
+/// The figure touches no side: it is cut out of the patch's interior.
+void Patches::carve_within(const Patch& patch, std::span<const SightlineRef> lines, Patch& inside, Patch& outside) {
+  caps_.clear();
+  contacts_.clear();
+  for (const SightlineRef line : lines) {
+    if (caps_.empty() || caps_.back().line.id != line.id) caps_.push_back({line, none, none});
+  }
+  if (caps_.front().line.id == caps_.back().line.id) caps_.pop_back();
+  for (std::size_t k = 0; k < caps_.size(); ++k) {
+    FragmentSide& next = caps_[k + 1 == caps_.size() ? 0 : k + 1];
+    caps_[k].to = next.from = make_corner(caps_[k].line, next.line);
+  }
+  const auto first = static_cast<std::uint32_t>(sides_.size());
+  for (const FragmentSide& cap : caps_) add_side(cap.line, cap.from, cap.to);
+  inside = since(first);
+  outside = rest(patch);
 }
 
 }  // namespace sightline

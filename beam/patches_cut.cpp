@@ -220,31 +220,4 @@ bool Patches::carve_by_lines(const Patch& patch, std::span<const SightlineRef> l
   return true;
 }
 
-void Patches::carve_within(const Patch& patch, std::span<const SightlineRef> lines, Patch& inside, Patch& outside) {
-  std::uint32_t first = patch.first;
-  if (patch.first + patch.count != sides_.size()) {  // not the last one: it cannot grow where it is
-    first = static_cast<std::uint32_t>(sides_.size());
-    for (std::uint32_t k = patch.first; k < patch.first + patch.count; ++k) {
-      const FragmentSide side = sides_[k];
-      const FrameBox box = boxes_[k];
-      sides_.push_back(side);
-      boxes_.push_back(box);
-    }
-  }
-  parts_.clear();
-  for (const SightlineRef line : lines) {
-    if (parts_.empty() || parts_.back().line.id != line.id) parts_.push_back({line, none, none, none, 0, 0});
-  }
-  if (parts_.front().line.id == parts_.back().line.id) parts_.pop_back();
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    Part& next = parts_[k + 1 == parts_.size() ? 0 : k + 1];
-    parts_[k].to = next.from = make_corner(parts_[k].line, next.line);
-  }
-  for (const Part& part : parts_) add_side(-part.line, part.to, part.from);
-  outside = since(first);
-  first = static_cast<std::uint32_t>(sides_.size());
-  for (const Part& part : parts_) add_side(part.line, part.from, part.to);
-  inside = since(first);
-}
-
 }  // namespace sightline

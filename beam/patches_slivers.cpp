@@ -25,31 +25,6 @@ SightlineRef Patches::middle_line(const Patch& patch) const {
   return best;
 }
 
-/// The loops of a patch whose corners are all different rays; false where they are not.
-bool Patches::find_loops(const Patch& patch) {
-  std::uint32_t again = 0;
-  if (!index_sides(patch, again)) return false;
-  const auto all = sides(patch);
-  loops_.clear();
-  loop_sides_.clear();
-  for (std::uint32_t start = 0; start < all.size(); ++start) {
-    if (corners_[root(all[start].from)].walk != walk_) continue;
-    Loop loop{static_cast<std::uint32_t>(loop_sides_.size()), 0, 0, 0, {}, Loop::wide};
-    std::uint32_t k = start;
-    do {
-      corners_[root(all[k].from)].walk = 0;
-      loop_sides_.push_back(patch.first + k);
-      ++loop.count;
-      const Corner& next = corners_[root(all[k].to)];
-      if (next.walk != walk_) break;
-      k = next.at;
-    } while (true);
-    if (root(all[k].to) != root(all[start].from)) return false;
-    loops_.push_back(loop);
-  }
-  return true;
-}
-
 /// How far the loop's corners lie from the line of its longest side, as the sine of an angle, all rounding included
 /// (of unit rays and normals, below 2^-46 where corners are as accurate as make_corner makes them); and on which side.
 void Patches::measure(Loop& loop, double narrow) {
@@ -92,13 +67,6 @@ bool Patches::in_strip(const Loop& loop, const Loop& strip) const {
   return std::all_of(loop_sides.begin(), loop_sides.end(), [&](std::uint32_t k) {
     return std::abs(glm::dot(n, glm::normalize(corners_[sides_[k].from].ray))) <= strip.width + 0x1p-46;
   });
-}
-
-void Patches::add_loop(const Loop& loop) {
-  for (std::uint32_t k = loop.first; k < loop.first + loop.count; ++k) {
-    const FragmentSide side = sides_[loop_sides_[k]];
-    add_side(side.line, side.from, side.to);
-  }
 }
 
 double Patches::part_slivers(Patch& patch, double angle, std::vector<Patch>& slivers) {
