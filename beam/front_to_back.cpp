@@ -91,10 +91,11 @@ Sign FrontToBack::exact_side(const TreeNode& node) const {
 void FrontToBack::outline(const TreePiece& piece, Sign eye) {
   lines_.clear();
   const PlaneId plane = view.scene.surfaces()[piece.surface].plane;
-  for (const TreeEdge& e : piece.edges()) {
+  for (std::uint32_t k = 0; k < piece.count; ++k) {
+    const TreeEdge& e = piece.edge[k];
     SightlineRef line = e.a != none ? view.table.of_points(e.a, e.b) : view.table.of_planes(plane, e.cut);
     line.sign *= e.a != none ? -eye : eye * e.inside;
-    if (e.a != none) patches_.name_line(line.id, e.a, e.b);
+    patches_.name_line(line.id, line_name(piece, k));
     if (min_angle_ > 0) {
       view.fragments.origins.push_back({line.id, e.a != none, {e.a != none ? e.a : plane, e.a != none ? e.b : e.cut}});
     }
@@ -254,7 +255,7 @@ void FrontToBack::visit(TreeNode& node, std::size_t first) {
 
 void FrontToBack::fill(std::span<const SightlineRef> window, const glm::dvec3& ahead) {
   frame_.set(scale_.eye, ahead, scale_.point);
-  patches_.begin(view.table, frame_, scale_);
+  patches_.begin(view.scene, view.table, frame_, scale_);
   window_.clear();
   for (const SightlineRef side : window) {
     window_.push_back(view.table.approx(side.id) * static_cast<double>(side.sign));

@@ -7,7 +7,8 @@
 
 namespace sightline {
 
-void Patches::begin(SightlineTable& table, const Frame& frame, const ViewScale& scale) {
+void Patches::begin(const Scene& scene, SightlineTable& table, const Frame& frame, const ViewScale& scale) {
+  scene_ = &scene;
   table_ = &table;
   frame_ = &frame;
   scale_ = scale;
@@ -15,7 +16,7 @@ void Patches::begin(SightlineTable& table, const Frame& frame, const ViewScale& 
   sides_.clear();
   boxes_.clear();
   given_.clear();
-  line_points_.clear();
+  line_names_.clear();
   stamp_ = walk_ = 0;
 }
 
@@ -32,9 +33,16 @@ void Patches::unite(std::uint32_t a, std::uint32_t b) {
   corners_[std::max(a, b)].parent = std::min(a, b);
 }
 
-void Patches::name_line(SightlineId line, PointId a, PointId b) {
-  if (line >= line_points_.size()) line_points_.resize(line + 1);
-  if (line_points_[line].a == none) line_points_[line] = {a, b};
+void Patches::name_line(SightlineId line, const LineName& name) {
+  if (line >= line_names_.size()) line_names_.resize(line + 1);
+  LineName& known = line_names_[line];
+  if (!known.known()) {
+    known = name;
+  } else if (known.cut != none && known.cut == name.cut && known.surface == name.surface) {
+    // Another piece of the surface may reach an end of the cut.
+    if (known.first == none) known.first = name.first;
+    if (known.second == none) known.second = name.second;
+  }
 }
 
 /// The ray n_line x n_across.
@@ -50,10 +58,8 @@ std::uint32_t Patches::make_corner(SightlineRef across, SightlineRef line) {
   if (c.name.sign < 0) c.ray = -c.ray;
   c.box = frame_->bounds(c.ray);
   c.parent = id;
-  const std::size_t named = line_points_.size();
-  if (c.name.high < named) {
-    const LinePoints &low = line_points_[c.name.low], &high = line_points_[c.name.high];
-    c.point = high.has(low.a) ? low.a : high.has(low.b) ? low.b : none;
+  if (c.name.high < line_names_.size()) {
+    c.place = common_place(*scene_, line_names_[c.name.low], line_names_[c.name.high]);
   }
   return id;
 }
@@ -158,7 +164,7 @@ bool Patches::keeps_away(const FragmentSide& side, Cone& figure, bool& within) c
 
 /// Where doubles do not tell: by what the two are, then by numbers.
 Sign Patches::exact_side(const Corner& corner, SightlineRef line) const {
-  if (line.id < line_points_.size() && line_points_[line.id].has(corner.point)) return 0;
+  if (line.id < line_names_.size() && holds(*scene_, line_names_[line.id], corner.place)) return 0;
   return table_->order({corner.name.low, corner.name.sign}, {corner.name.high, 1}, line);
 }
 
@@ -166,11 +172,9 @@ Sign Patches::exact_side(const Corner& corner, SightlineRef line) const {
 Sign Patches::exact_side(const Corner& corner, Cone& figure, std::uint32_t k) const {
   const TreePiece& piece = *figure.piece;
   const TreeEdge& edge = piece.edge[k];
-  const PointId p = corner.point;
-  if (p != none && (p == edge.a || p == edge.b || p == piece.corner[k].point ||
-                    p == piece.corner[k + 1 == piece.count ? 0 : k + 1].point)) {
-    return 0;
-  }
+  if (holds(*scene_, line_name(piece, k), corner.place)) return 0;
+  const PlaceName begin = place_name(piece, k), end = place_name(piece, k + 1 == piece.count ? 0 : k + 1);
+  if (corner.place.known() && (corner.place == begin || corner.place == end)) return 0;
   if (edge.a == none) return uncertain;
   SightlineRef& outer = figure.outer[k];
   if (outer.id == none) {
@@ -184,14 +188,14 @@ Sign Patches::exact_side(const Corner& corner, Cone& figure, std::uint32_t k) co
 /// exactly, as long as that is cheap.
 bool Patches::parted(const FragmentSide& side, Cone& figure) const {
   const glm::dvec3& n = table_->approx(side.line.id);
-  const LinePoints points = side.line.id < line_points_.size() ? line_points_[side.line.id] : LinePoints{};
+  const LineName name = side.line.id < line_names_.size() ? line_names_[side.line.id] : LineName{};
   bool front = true, behind = true;
   for (std::uint32_t k = 0; k < figure.piece->count && (front || behind); ++k) {
     const double value = glm::dot(n, figure.ray[k]);
-    const PointId p = figure.piece->corner[k].point;
     if (std::abs(value) > scale_.point) {
       (value > 0 ? behind : front) = false;
-    } else if (!points.has(p)) {
+    } else if (!holds(*scene_, name, place_name(*figure.piece, k))) {
+      const PointId p = figure.piece->corner[k].point;
       const Sign sign = p != none ? table_->side({side.line.id, 1}, p) : uncertain;
       front = front && (sign == 0 || sign == 1);
       behind = behind && (sign == 0 || sign == -1);

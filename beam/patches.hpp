@@ -7,6 +7,7 @@
 
 #include "beam/cone.hpp"
 #include "beam/frame.hpp"
+#include "beam/places.hpp"
 #include "visibility_map/fragment.hpp"
 
 namespace sightline {
@@ -28,13 +29,13 @@ struct Patch {
 class Patches {
  public:
   /// Forgets all patches.
-  void begin(SightlineTable& table, const Frame& frame, const ViewScale& scale);
+  void begin(const Scene& scene, SightlineTable& table, const Frame& frame, const ViewScale& scale);
   /// A convex patch by its lines, normals pointing inwards, in counter-clockwise order.
   Patch convex(std::span<const SightlineRef> lines);
 
   enum class Place { outside, inside, touched };
-  /// Tells that a line holds two points of the scene.
-  void name_line(SightlineId line, PointId a, PointId b);
+  /// Tells what a line was made of.
+  void name_line(SightlineId line, const LineName& name);
   /// Where lies what is seen of a figure, its boundary aside? `touched`: it may be anywhere; `inside`: with its
   /// boundary. `bounds` hold it.
   Place look(const Patch& patch, const FrameBox& bounds, Cone& figure);
@@ -71,8 +72,8 @@ class Patches {
  private:
   struct Corner {
     FragmentCorner name;
-    PointId point = none;  // of the scene, which is seen here
-    glm::dvec3 ray;        // the product of the rounded normals
+    PlaceName place;  // which is seen here
+    glm::dvec3 ray;   // the product of the rounded normals
     FrameBox box;
     std::uint32_t parent;              // towards the root of its ray
     std::uint32_t stamp = 0;           // the line, or outline, last looked at
@@ -166,15 +167,12 @@ class Patches {
   void add_remainder(const FragmentSide& side, const FrameBox& box, std::uint32_t origin);
   Patch since(std::uint32_t first) const;
 
+  const Scene* scene_ = nullptr;
   SightlineTable* table_ = nullptr;
   const Frame* frame_ = nullptr;
   ViewScale scale_;
   std::vector<Corner> corners_;
-  struct LinePoints {
-    PointId a = none, b = none;
-    bool has(PointId p) const { return p != none && (a == p || b == p); }
-  };
-  std::vector<LinePoints> line_points_;  // by line
+  std::vector<LineName> line_names_;  // by line
   std::vector<FragmentSide> sides_;
   std::vector<FrameBox> boxes_;  // of the sides
   std::uint32_t stamp_ = 0, walk_ = 0;

@@ -47,9 +47,11 @@ TreeNode* TreeGrower::node_of(std::size_t count, Extent& extent) {
   return n;
 }
 
-/// Sides and corners. The corner before a side of a whole surface is where the side before it ends.
+/// Sides and corners. Vertices in one place go by one name, so that what meets there is known to. The corner before a
+/// side of a whole surface is where the side before it ends.
 void TreeGrower::keep_edges(TreePart part, TreePiece& out) {
   const auto sides = scene_.edges(scene_.surfaces()[out.surface]);
+  const auto twin = [this](PointId p) { return p == none ? none : scene_.lowest_twin(p); };
   const bool whole = parts_.whole(part);
   const auto corners = whole ? std::span<const PieceCorner>{} : parts_.corners(part);
   out.count = static_cast<std::uint32_t>(whole ? sides.size() : corners.size());
@@ -59,14 +61,15 @@ void TreeGrower::keep_edges(TreePart part, TreePiece& out) {
   out.corner = corner;
   for (std::size_t i = 0; whole && i < sides.size(); ++i) {
     const PointId begin = sides[i == 0 ? sides.size() - 1 : i - 1].corner;
-    edge[i] = {sides[i].a, sides[i].b, none, 0};
-    corner[i] = {scene_.points().approx(begin), begin};
+    edge[i] = {twin(sides[i].a), twin(sides[i].b), none, 0};
+    corner[i] = {scene_.points().approx(begin), twin(begin)};
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const PieceCorner& c = corners[i];
     const auto own = std::find_if(sides.begin(), sides.end(), [&c](const SurfaceEdge& e) { return e.wall == c.side; });
-    edge[i] = own != sides.end() ? TreeEdge{own->a, own->b, none, 0} : TreeEdge{none, none, c.side, c.inside};
-    corner[i] = {c.place.approx, c.point};
+    edge[i] =
+        own != sides.end() ? TreeEdge{twin(own->a), twin(own->b), none, 0} : TreeEdge{none, none, c.side, c.inside};
+    corner[i] = {c.place.approx, twin(c.point)};
   }
 }
 
