@@ -53,6 +53,12 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw OutputError("cannot make folder " + folder.string() + ": " + error.message());
 }
 
+std::filesystem::path numbered(const std::filesystem::path& folder, std::size_t number, const char* ending) {
+  std::string digits = std::to_string(number);
+  if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
+  return folder / (digits + ending);
+}
+
 void print_result(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     throw OutputError("cannot write to standard output");

@@ -24,6 +24,8 @@ void write_safely(const std::filesystem::path& file, const std::function<void()>
 void write_text(const std::filesystem::path& file, std::string_view text);
 /// Makes a folder, those above it included. Throws OutputError.
 void make_folder(const std::filesystem::path& folder);
+/// FOLDER/0007.ending
+std::filesystem::path numbered(const std::filesystem::path& folder, std::size_t number, const char* ending);
 /// To standard output. Throws OutputError.
 void print_result(std::string_view text);
 

@@ -29,10 +29,7 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 }
 
 void check(CommonOptions& options) {
-  if (options.engine == "hybrid") {
-    throw UsageError("--engine hybrid: not in this version, which has 'front-to-back' and 'cells'");
-  }
-  if (options.engine != "cells" && options.engine != "front-to-back") {
+  if (options.engine != "cells" && options.engine != "front-to-back" && options.engine != "hybrid") {
     throw UsageError("--engine " + options.engine + ": no such engine (front-to-back, cells, hybrid)");
   }
   if (options.threads == 0) options.threads = std::max(1u, std::thread::hardware_concurrency());

@@ -8,6 +8,7 @@
 #include "app/report.hpp"
 #include "app/stopwatch.hpp"
 #include "bsp/build.hpp"
+#include "clip/hybrid.hpp"
 #include "scene/read.hpp"
 #include "visibility_map/write.hpp"
 
@@ -17,6 +18,8 @@
 #include <tbb/task_arena.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -75,26 +78,39 @@ class MapWriter {
 
  private:
   bool wants(const std::string& format) const { return formats_.contains(format); }
-  std::filesystem::path name(std::size_t camera, const char* ending) const {
-    std::string digits = std::to_string(camera);
-    if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
-    return folder_ / (digits + ending);
-  }
+  std::filesystem::path name(std::size_t camera, const char* ending) const { return numbered(folder_, camera, ending); }
 
   std::filesystem::path folder_;
   std::set<std::string> formats_;
   std::vector<std::string> csv_;
 };
 
-CameraFigures camera_figures(const TraceStats& s) {
-  return {s.seconds, s.beams, s.cells, s.faces, s.edges, s.vertices, s.left_out, {}};
+/// What makes a camera's map, and its figures; for one thread.
+using TraceOne = std::function<CameraFigures(const Camera&, VisibilityMap&)>;
+
+TraceOne one_of(const Tracer& prepared) {
+  return [tracer = std::make_shared<Tracer>(prepared)](const Camera& camera, VisibilityMap& map) -> CameraFigures {
+    TraceStats s;
+    tracer->trace(camera, map, &s);
+    return {s.seconds, s.beams, s.cells, s.faces, s.edges, s.vertices, s.left_out, {}};
+  };
+}
+
+TraceOne one_of(const HybridTracer& prepared) {
+  return
+      [tracer = std::make_shared<HybridTracer>(prepared)](const Camera& camera, VisibilityMap& map) -> CameraFigures {
+        HybridStats s;
+        tracer->trace(camera, map, &s);
+        return {s.seconds, s.pieces, s.surfaces, s.faces, s.edges, s.vertices, 0, {}};
+      };
 }
 
 /// Traces all cameras and writes their maps; a camera that fails leaves its reason in its figures.
-std::vector<CameraFigures> trace_all(const Tracer& prepared, const Scene& scene, const std::vector<Camera>& cameras,
-                                     MapWriter& writer, const CommonOptions& options) {
+std::vector<CameraFigures> trace_all(const std::function<TraceOne()>& make_tracer, const Scene& scene,
+                                     const std::vector<Camera>& cameras, MapWriter& writer,
+                                     const CommonOptions& options) {
   struct Worker {
-    std::optional<Tracer> tracer;
+    TraceOne trace;
     VisibilityMap map;
   };
   std::vector<CameraFigures> figures(cameras.size());
@@ -103,14 +119,12 @@ std::vector<CameraFigures> trace_all(const Tracer& prepared, const Scene& scene,
   const auto trace_one = [&](std::size_t k) {
     Worker& worker = workers.local();
     try {
-      if (!worker.tracer) worker.tracer.emplace(prepared);
-      TraceStats stats;
-      worker.tracer->trace(cameras[k], worker.map, &stats);
-      figures[k] = camera_figures(stats);
+      if (!worker.trace) worker.trace = make_tracer();
+      figures[k] = worker.trace(cameras[k], worker.map);
       writer.write(k, worker.map, scene);
     } catch (const std::exception& error) {
       figures[k].error = error.what();
-      worker.tracer.reset();  // its buffers may be in any state
+      worker.trace = {};  // its buffers may be in any state
     }
     progress.step();
   };
@@ -142,8 +156,12 @@ int trace_cameras(TraceCommand& command) {
     throw UsageError("--min-angle: radians from 0 to 0.01");
   }
   if (!(command.options.max_distance > 0)) throw UsageError("--max-distance: a positive number");
-  if (command.options.min_angle != 0 && command.common.engine == "cells") {
-    throw UsageError("--min-angle: not with --engine cells, which follows all beams");
+  const std::string engine = command.common.engine;
+  if (command.options.min_angle != 0 && engine != "front-to-back") {
+    throw UsageError("--min-angle: not with --engine " + engine + ", which leaves nothing narrow out");
+  }
+  if (std::isfinite(command.options.max_distance) && engine == "hybrid") {
+    throw UsageError("--max-distance: not with --engine hybrid");
   }
   const Stopwatch watch;
   std::vector<Camera> cameras = read_cameras(command.cameras);
@@ -163,8 +181,20 @@ int trace_cameras(TraceCommand& command) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, command.common.threads);
   Report report{"trace", input.scene, {}, {}, 0, done};
   std::optional<BspTree> tree;
-  if (command.common.engine == "cells") {
+  // Threads that have no camera of their own share one.
+  const auto count = static_cast<unsigned>(cameras.size());
+  command.options.threads = std::max(1u, command.common.threads / std::max(1u, count));
+  std::function<TraceOne()> make_tracer;
+  if (engine == "cells") {
     report.complex = complex_of(input);
+    make_tracer = [tracer = Tracer(input.scene, *input.complex, command.options)] { return one_of(tracer); };
+  } else if (engine == "hybrid") {
+    const Stopwatch boxing;
+    HybridTracer tracer(input.scene);
+    report.complex.emplace();
+    report.complex->seconds = boxing.seconds();
+    report.complex->bytes = tracer.bytes();
+    make_tracer = [tracer = std::move(tracer)] { return one_of(tracer); };
   } else {
     const Stopwatch growing;
     const bool lazy = cameras.size() < few_cameras;
@@ -172,15 +202,12 @@ int trace_cameras(TraceCommand& command) {
     report.complex = figures_of(*tree);
     report.complex->seconds = growing.seconds();
     report.complex->lazy = lazy;
+    make_tracer = [tracer = Tracer(*tree, command.options)] { return one_of(tracer); };
   }
-  tell(describe(*report.complex), command.common.quiet);
+  if (report.complex->cells > 0) tell(describe(*report.complex), command.common.quiet);
 
   MapWriter writer(command.folder, formats, cameras.size());
-  // Threads that have no camera of their own share one.
-  const auto count = static_cast<unsigned>(cameras.size());
-  command.options.threads = std::max(1u, command.common.threads / std::max(1u, count));
-  const Tracer tracer = tree ? Tracer(*tree, command.options) : Tracer(input.scene, *input.complex, command.options);
-  report.cameras = trace_all(tracer, input.scene, cameras, writer, command.common);
+  report.cameras = trace_all(make_tracer, input.scene, cameras, writer, command.common);
   writer.finish();
   std::size_t failed = 0;
   for (std::size_t k = 0; k < cameras.size(); ++k) {

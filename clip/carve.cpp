@@ -21,7 +21,6 @@ void box_of(const Outline& outline, glm::dvec3& low, glm::dvec3& high) {
 
 }  // namespace
 
-
 bool Carver::carve(const Outline& outline, std::span<const OutlineSide> frame, std::span<const Shadow> shadows,
                    std::vector<CarvedPart>& parts) {
   shadows_ = shadows;
@@ -109,6 +108,12 @@ bool Carver::cut(const Outline& outline, std::span<const OutlineSide> lines, Out
     inside = std::move(in);
   }
   return true;
+}
+
+bool Carver::meets(const Outline& outline, const Shadow& figure) {
+  Outline inside;
+  std::vector<Outline> outside;
+  return cut(outline, figure.lines, inside, outside);
 }
 
 void Carver::bound(const Outline& whole, std::vector<Shadow>& shadows) {

@@ -23,9 +23,11 @@ class Carver {
   /// Appends the parts of the outline; true if any of it is visible.
   bool carve(const Outline& outline, std::span<const OutlineSide> frame, std::span<const Shadow> shadows,
              std::vector<CarvedPart>& parts);
-  /// Bounds what the shadows hide of all of the surface, and drops those that hide nothing: where there are many pieces,
-  /// most shadows miss most of them.
+  /// Bounds what the shadows hide of all of the surface, and drops those that hide nothing: where there are many
+  /// pieces, most shadows miss most of them.
   void bound(const Outline& whole, std::vector<Shadow>& shadows);
+  /// Have an outline and a figure any inside in common?
+  bool meets(const Outline& outline, const Shadow& figure);
   std::uint64_t cuts() const { return cuts_; }
 
  private:

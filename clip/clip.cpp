@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
-#include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
 
+#include "clip/in_threads.hpp"
 #include "clip/surface_clipper.hpp"
 
 namespace sightline {
@@ -40,37 +38,6 @@ void append(ClipResult& result, const Scene& scene, SurfaceId surface, ClippedSu
     corner += piece.corner_count;
     result.pieces.push_back(p);
   }
-}
-
-/// A power of two: about eight pixels to a surface's width, were all of them in view side by side; all cameras' buffers
-/// together below 256 MiB, for as long as a side has 64.
-int chosen_size(const Scene& scene, std::size_t cameras) {
-  const double wanted = 8 * std::sqrt(static_cast<double>(scene.surfaces().size()));
-  const double most = std::sqrt(0x1p28 / sizeof(float) / static_cast<double>(cameras));
-  int size = 64;
-  while (size < wanted && 2 * size <= most && size < 1024) size *= 2;
-  return size;
-}
-
-/// Runs the worker in that many threads at once; rethrows what the first to fail has thrown.
-template <class Worker>
-void in_threads(unsigned threads, const Worker& worker) {
-  std::mutex mutex;
-  std::exception_ptr failure;
-  const auto guarded = [&] {
-    try {
-      worker();
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (unsigned t = 1; t < threads; ++t) others.emplace_back(guarded);
-    guarded();
-  }
-  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace

@@ -19,6 +19,9 @@ struct ClipOptions {
   double threshold = 0;
   /// Pixels along a side of each camera's buffer; 0: chosen. No result depends on it, only the time does.
   int buffer = 0;
+  /// Looks polygons up in the buffers by samples of them, uniform in object space, instead of by scan conversion. No
+  /// result depends on it either.
+  bool sampling = false;
   /// Of each camera; a place counts as seen where it lies in all of them. Cameras beyond the end have none.
   std::vector<std::vector<TextureRegion>> regions;
   unsigned threads = 1;

@@ -38,6 +38,14 @@ void keep(double a, double b, int& first, int& last) {
 
 }  // namespace
 
+int chosen_size(const Scene& scene, std::size_t cameras) {
+  const double wanted = 8 * std::sqrt(static_cast<double>(scene.surfaces().size()));
+  const double most = std::sqrt(0x1p28 / sizeof(float) / static_cast<double>(cameras));
+  int size = 64;
+  while (size < wanted && 2 * size <= most && size < 1024) size *= 2;
+  return size;
+}
+
 CoverBuffer::CoverBuffer(const Scene& scene, const Camera& camera, int size)
     : scene_(scene), size_(size), nearest_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 0.0f) {
   eye_ = scene.grid().unit(camera.eye);

@@ -21,6 +21,9 @@ class CoverBuffer {
   /// Is a convex figure of the plane hidden, as far as it is in the window at all? Corners in unit coordinates, each
   /// within 2^-46, counter-clockwise seen from the plane's front, or the other way round if `backwards`.
   bool hides(std::span<const glm::dvec3> corners, PlaneId plane, bool backwards) const;
+  /// The same by samples, uniform on the figure, about one a pixel: the pixels in the neighbourhood of each are looked
+  /// at, chosen so that the neighbourhoods hold all of the figure. What reaches behind the eye is not proven.
+  bool hides_by_samples(std::span<const glm::dvec3> corners, PlaneId plane) const;
   int size() const { return size_; }
 
  private:
@@ -33,6 +36,8 @@ class CoverBuffer {
   /// The sides of a cone over a figure, inside positive, all off by `error` at most.
   void cone(std::span<const glm::dvec3> corners, double turn, std::vector<Linear>& sides, double& error) const;
   Linear over_pixels(const glm::dvec3& normal) const;
+  struct Samples;
+  bool hides_triangle(const Samples& samples, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
   void cover(std::span<const glm::dvec3> corners, PlaneId plane, std::vector<Linear>& sides);
 
   const Scene& scene_;
@@ -41,5 +46,9 @@ class CoverBuffer {
   double reach_ = 0;                                  // of the eye's coordinates
   std::vector<float> nearest_;                        // inverse depths, rounded down; 0: nothing covers it
 };
+
+/// A power of two: about eight pixels to a surface's width, were all of them in view side by side; all cameras' buffers
+/// together below 256 MiB, for as long as a side has 64.
+int chosen_size(const Scene& scene, std::size_t cameras);
 
 }  // namespace sightline

@@ -1,12 +1,16 @@
 #include "clip/files.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <map>
 
+#include "clip/hybrid.hpp"
+#include "clip/in_threads.hpp"
 #include "clip/view.hpp"
 #include "scene/readers.hpp"
 #include "scene/text_scanner.hpp"
+#include "visibility_map/write.hpp"
 
 namespace sightline {
 
@@ -53,7 +57,7 @@ void append_list(std::string& out, std::span<const std::uint32_t> list) {
 
 }  // namespace
 
-std::string clip_ply(const Scene& scene, const ClipResult& result, bool thresholded) {
+std::string clip_ply(const Scene& scene, const ClipResult& result, bool thresholded, const TFreePieces* t_free) {
   std::map<std::array<double, 3>, std::uint32_t> index;
   std::vector<std::uint32_t> vertex;
   std::string places, faces;
@@ -66,9 +70,16 @@ std::string clip_ply(const Scene& scene, const ClipResult& result, bool threshol
       places += k < 2 ? ' ' : '\n';
     }
   }
-  for (const ClipPiece& piece : result.pieces) {
-    std::vector<std::uint32_t> corners(vertex.begin() + piece.first_corner,
-                                       vertex.begin() + piece.first_corner + piece.corner_count);
+  std::vector<std::uint32_t> corners;
+  for (std::size_t p = 0; p < result.pieces.size(); ++p) {
+    const ClipPiece& piece = result.pieces[p];
+    corners.clear();
+    if (t_free) {
+      for (std::uint32_t k = t_free->first[p]; k < t_free->first[p + 1]; ++k)
+        corners.push_back(vertex[t_free->corners[k]]);
+    } else {
+      corners.assign(vertex.begin() + piece.first_corner, vertex.begin() + piece.first_corner + piece.corner_count);
+    }
     if (scene.surfaces()[piece.surface].flipped) std::reverse(corners.begin(), corners.end());
     append_list(faces, corners);
     faces += " " + std::to_string(piece.polygon) + " ";
@@ -85,6 +96,23 @@ std::string clip_ply(const Scene& scene, const ClipResult& result, bool threshol
          std::to_string(result.pieces.size()) +
          "\nproperty list uint uint vertex_indices\nproperty uint source_polygon\nproperty list uint uint cameras\n" +
          (thresholded ? "property list uint uint partly\n" : "") + "end_header\n" + places + faces;
+}
+
+std::string clip_csv(const Scene& scene, std::span<const Camera> cameras, const ClipOptions& options) {
+  const HybridTracer prepared(scene, options.buffer);
+  std::vector<std::string> rows(cameras.size());
+  std::atomic<std::size_t> next = 0;
+  in_threads(options.threads, [&] {
+    HybridTracer tracer(prepared);
+    VisibilityMap map;
+    for (std::size_t c = next++; c < cameras.size(); c = next++) {
+      tracer.trace(cameras[c], map);
+      rows[c] = map_csv(map, scene, c);
+    }
+  });
+  std::string text = csv_header;
+  for (const std::string& row : rows) text += row;
+  return text;
 }
 
 }  // namespace sightline

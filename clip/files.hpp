@@ -1,7 +1,7 @@
 // Clipped scenes and texture regions as files.
 #pragma once
 
-#include "clip/clip.hpp"
+#include "clip/t_free.hpp"
 
 #include <filesystem>
 #include <string>
@@ -13,7 +13,13 @@ std::vector<std::vector<TextureRegion>> read_regions(const std::filesystem::path
 
 /// The pieces as an ASCII PLY file: vertices with 17 significant digits, those with equal coordinates once; faces with
 /// `vertex_indices`, `source_polygon` and `cameras`, the list of those that see all of the face, ascending. Corners run
-/// as those of the source polygon. Where `thresholded`, a list `partly` follows: cameras that see some of it.
-std::string clip_ply(const Scene& scene, const ClipResult& result, bool thresholded = false);
+/// as those of the source polygon. Where `thresholded`, a list `partly` follows: cameras that see some of it. With
+/// `t_free` the faces have the corners given there.
+std::string clip_ply(const Scene& scene, const ClipResult& result, bool thresholded = false,
+                     const TFreePieces* t_free = nullptr);
+
+/// CSV as `trace` writes it, header line included: what each camera sees of each polygon, in all of its window,
+/// whatever its regions.
+std::string clip_csv(const Scene& scene, std::span<const Camera> cameras, const ClipOptions& options = {});
 
 }  // namespace sightline

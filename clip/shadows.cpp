@@ -19,16 +19,16 @@ void corners_of(const Scene& scene, const Surface& s, std::vector<PointId>& corn
   }
 }
 
-/// A sightline as a plane. Normals within 2^-53, the eye within 2^-53 of its size E: the value n.(x - e) is off by less
-/// than 24 2^-53 (E + 1), as in SightlineTable::side; the products n.e and n.x here are rounded as much again.
+}  // namespace
+
+// Normals within 2^-53, the eye within 2^-53 of its size E: the value n.(x - e) is off by less than 24 2^-53 (E + 1),
+// as in SightlineTable::side; the products n.e and n.x here are rounded as much again.
 RoughPlane as_plane(const SightlineTable& table, SightlineRef line) {
   const glm::dvec3 n = table.approx(line.id) * static_cast<double>(line.sign);
   const glm::dvec3& e = table.eye_approx();
   const double reach = std::max({std::abs(e.x), std::abs(e.y), std::abs(e.z)});
   return {n, glm::dot(n, e), 0x1p-47 * (reach + 1)};
 }
-
-}  // namespace
 
 ShadowFinder::Outcome ShadowFinder::find(SurfaceId surface, View& view, Outlines& outlines,
                                          std::vector<OutlineSide>& frame, std::vector<Shadow>& shadows) {
@@ -82,9 +82,21 @@ ShadowFinder::Outcome ShadowFinder::find(SurfaceId surface, View& view, Outlines
   }
   for (const SurfaceId other : found_) {
     if (other == surface || !may_hide(scene_.surfaces()[other], other, view)) continue;
-    add(other, view, outlines, shadows);
+    Shadow shadow;
+    if (make(other, view, outlines, shadow)) shadows.push_back(std::move(shadow));
   }
   return seen;
+}
+
+void ShadowFinder::find_coplanar(View& view, Outlines& outlines, std::vector<Coplanar>& coplanar) {
+  coplanar.clear();
+  for (const SurfaceId id : found_) {
+    const Surface& other = scene_.surfaces()[id];
+    if (id <= surface_ || other.plane != scene_.surfaces()[surface_].plane || !view.faces(other)) continue;
+    corners_of(scene_, other, other_corners_);
+    Coplanar found{id, {}};
+    if (may_meet(other, view) && make(id, view, outlines, found.figure)) coplanar.push_back(std::move(found));
+  }
 }
 
 /// Exact, where it says no. Corners of both are scene points nearly always; where one is not, the cuts will tell.
@@ -103,6 +115,12 @@ bool ShadowFinder::may_hide(const Surface& other, SurfaceId other_id, View& view
     const auto beyond = [&](PointId p) { return point_side(scene_.planes(), p, other.plane) == -before; };
     if (!corners_.empty() && std::none_of(corners_.begin(), corners_.end(), beyond)) return false;
   }
+  return may_meet(other, view);
+}
+
+/// Of the other surface, whose corners are at hand: are they seen apart from ours, as one of the edges tells?
+bool ShadowFinder::may_meet(const Surface& other, View& view) {
+  SightlineTable& table = view.table();
   const auto inside_of = [&](SightlineRef line) {
     return [&table, line](PointId p) { return table.side(line, p) > 0; };
   };
@@ -136,40 +154,39 @@ bool ShadowFinder::add_line(Shadow& shadow, const PlaneLines::Cut& cut, const Cl
   return true;
 }
 
-void ShadowFinder::add(SurfaceId other, View& view, Outlines& outlines, std::vector<Shadow>& shadows) {
+/// False: it hides nothing.
+bool ShadowFinder::make(SurfaceId other, View& view, Outlines& outlines, Shadow& shadow) const {
   const Surface &s = scene_.surfaces()[surface_], &o = scene_.surfaces()[other];
   SightlineTable& table = view.table();
   PlaneLines& lines = outlines.lines();
   const auto turned = [](PlaneLines::Cut cut, Sign sign) {
     return sign > 0 ? cut : PlaneLines::Cut{cut.line.id == none ? cut.line : -cut.line, -cut.side};
   };
-  Shadow shadow;
   if (o.plane == s.plane) {
     for (const SurfaceEdge& e : scene_.edges(o)) {
       const ApproxPlane& wall = scene_.planes().approx(e.wall);
       const double in = e.inside;
       if (!add_line(shadow, turned(lines.of_plane(e.wall), e.inside), {ClipSide::edge, none, e.a, e.b},
                     rough(in * glm::dvec3(wall.n[0], wall.n[1], wall.n[2]), in * wall.d, outlines), outlines))
-        return;
+        return false;
     }
-    shadows.push_back(std::move(shadow));
-    return;
+    return true;
   }
   const Sign before = table.eye_side(o.plane);
   const ApproxPlane& plane = scene_.planes().approx(o.plane);
   const double beyond = -before;
   if (!add_line(shadow, turned(lines.of_plane(o.plane), -before), {ClipSide::intersection, none, other, none},
                 rough(beyond * glm::dvec3(plane.n[0], plane.n[1], plane.n[2]), beyond * plane.d, outlines), outlines))
-    return;
+    return false;
   for (const SurfaceEdge& e : scene_.edges(o)) {
     const glm::dvec3 eye = table.eye_approx();
     const glm::dvec3 n =
         glm::cross(scene_.points().approx(e.a) - eye, scene_.points().approx(e.b) - eye) * static_cast<double>(-before);
     if (!add_line(shadow, lines.of_sightline(table, view.wedge(o, e)), {ClipSide::wedge, view.index(), e.a, e.b},
                   rough(n, glm::dot(n, eye), outlines), outlines))
-      return;
+      return false;
   }
-  shadows.push_back(std::move(shadow));
+  return true;
 }
 
 }  // namespace sightline

@@ -20,6 +20,15 @@ struct Shadow {
   glm::dvec3 low{-1}, high{1};    // unit coordinates: what it hides of the surface lies within
 };
 
+/// A sightline as a plane for BoxTree: what lies in its front is inside.
+RoughPlane as_plane(const SightlineTable& table, SightlineRef line);
+
+/// A surface in the plane of another, and where it lies there.
+struct Coplanar {
+  SurfaceId surface;
+  Shadow figure;
+};
+
 /// Finds them, and the lines of the camera's frame, for one surface and camera after the other.
 class ShadowFinder {
  public:
@@ -30,12 +39,16 @@ class ShadowFinder {
   /// of its inside, and the lines of the frame that it is not wholly inside of.
   Outcome find(SurfaceId surface, View& view, Outlines& outlines, std::vector<OutlineSide>& frame,
                std::vector<Shadow>& shadows);
+  /// For the surface that find() has just looked at: those of higher index that face the camera in its plane and may
+  /// have a part of its inside in common. They are not seen where it is, but coincide with it.
+  void find_coplanar(View& view, Outlines& outlines, std::vector<Coplanar>& coplanar);
 
  private:
   bool may_hide(const Surface& other, SurfaceId other_id, View& view);
+  bool may_meet(const Surface& other, View& view);
   bool add_line(Shadow& shadow, const PlaneLines::Cut& cut, const ClipSide& name, const glm::dvec3& rough,
                 Outlines& outlines) const;
-  void add(SurfaceId other, View& view, Outlines& outlines, std::vector<Shadow>& shadows);
+  bool make(SurfaceId other, View& view, Outlines& outlines, Shadow& shadow) const;
   glm::dvec3 rough(const glm::dvec3& normal, double offset, const Outlines& outlines) const;
 
   const Scene& scene_;

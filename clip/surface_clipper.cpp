@@ -7,7 +7,7 @@ namespace sightline {
 
 SurfaceClipper::SurfaceClipper(const Scene& scene, const BoxTree& tree, std::span<const Camera> cameras,
                                std::span<const CoverBuffer> buffers, const ClipOptions& options)
-    : scene_(scene), buffers_(buffers), finder_(scene, tree) {
+    : scene_(scene), buffers_(buffers), finder_(scene, tree), sampling_(options.sampling) {
   for (std::uint32_t c = 0; c < cameras.size(); ++c) {
     std::span<const TextureRegion> regions;
     if (c < options.regions.size()) regions = options.regions[c];
@@ -15,6 +15,13 @@ SurfaceClipper::SurfaceClipper(const Scene& scene, const BoxTree& tree, std::spa
   }
   const double unit = std::ldexp(scene.grid().step(), scene.grid().unit_bits());
   threshold_ = options.threshold / (unit * unit);
+}
+
+bool SurfaceClipper::hidden(const CoverBuffer& buffer, const Outline& outline, PlaneId plane, bool backwards) {
+  const bool proven =
+      sampling_ ? buffer.hides_by_samples(outline.corner, plane) : buffer.hides(outline.corner, plane, backwards);
+  stats_.buffer_proofs += proven;
+  return proven;
 }
 
 ClippedSurface SurfaceClipper::clip(SurfaceId surface) {
@@ -30,18 +37,14 @@ ClippedSurface SurfaceClipper::clip(SurfaceId surface) {
   const Outline whole = pieces[0].outline;
   for (std::size_t c = 0; c < views_.size(); ++c) {
     if (!views_[c].faces(scene_.surfaces()[surface])) continue;
-    if (buffers_[c].hides(whole.corner, plane, backwards)) {
-      ++stats_.buffer_proofs;
-      continue;
-    }
+    if (hidden(buffers_[c], whole, plane, backwards)) continue;
     if (finder_.find(surface, views_[c], outlines, frame, shadows) == ShadowFinder::unseen) continue;
     stats_.shadows += shadows.size();
     if (pieces.size() > 3) carver.bound(whole, shadows);
     next.clear();
     for (SurfacePiece& piece : pieces) {
       parts.clear();
-      if (pieces.size() > 1 && !shadows.empty() && buffers_[c].hides(piece.outline.corner, plane, backwards)) {
-        ++stats_.buffer_proofs;
+      if (pieces.size() > 1 && !shadows.empty() && hidden(buffers_[c], piece.outline, plane, backwards)) {
         next.push_back(std::move(piece));
         next.back().fresh = false;
         continue;

@@ -47,12 +47,14 @@ class SurfaceClipper {
   const ClipStats& stats() const { return stats_; }
 
  private:
+  bool hidden(const CoverBuffer& buffer, const Outline& outline, PlaneId plane, bool backwards);
   void finish(std::vector<SurfacePiece>& pieces, Outlines& outlines, ClippedSurface& out) const;
 
   const Scene& scene_;
   std::span<const CoverBuffer> buffers_;
   std::deque<View> views_;
   ShadowFinder finder_;
+  bool sampling_;
   double threshold_;  // in unit coordinates
   ClipStats stats_;
 };

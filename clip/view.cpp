@@ -73,6 +73,16 @@ View::View(const Scene& scene, const Camera& camera, std::uint32_t index, std::s
   }
 }
 
+SightlineRef View::named(const ClipSide& side) const {
+  const auto in = [&](std::span<const NamedLine> lines) {
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const NamedLine& l) { return l.name == side; });
+    return found == lines.end() ? SightlineRef{} : found->line;
+  };
+  SightlineRef line = in(frame_);
+  for (std::size_t k = 0; k < holes_.size() && line.id == none; ++k) line = in(holes_[k]);
+  return line;
+}
+
 std::vector<NamedLine> View::sides_of(const TextureRegion& region, std::uint32_t index) {
   const Sign turning = direction(region.points);
   std::vector<NamedLine> sides;

@@ -36,7 +36,12 @@ class View {
   /// Exterior regions: sides inwards; what lies inside of all is not seen.
   std::span<const std::vector<NamedLine>> holes() const { return holes_; }
 
+  /// The line of the window or of a region that a side is named after.
+  SightlineRef named(const ClipSide& side) const;
+
+  const Window& window() const { return window_; }
   SightlineTable& table() { return table_; }
+  const SightlineTable& table() const { return table_; }
   const Scene& scene() const { return scene_; }
   const Camera& camera() const { return camera_; }
   std::uint32_t index() const { return index_; }

@@ -57,7 +57,6 @@ Drawing::Drawing(const VisibilityMap& map, const Scene& scene, const DrawOptions
   }
 }
 
-/// How a polygon faces a lamp above and left behind the camera, from 0 to 1.
 double Drawing::light(PolygonId polygon) const {
   const auto corners = scene_.corners(polygon);
   const auto& vertices = scene_.soup().vertices;

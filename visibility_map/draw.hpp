@@ -19,6 +19,13 @@ struct Stroke {
   double opacity;
 };
 
+/// A flat part of a drawing: its outline in the window, and how it is filled. In SVG, `what` is its data-cameras.
+struct Patch {
+  std::vector<glm::dvec2> st;
+  Colour colour;
+  std::uint32_t what;
+};
+
 /// The frame of a drawing and the look of all that stands in it.
 class Drawing {
  public:
@@ -37,10 +44,10 @@ class Drawing {
   /// Width of the line in its own colour around each face: with a pixel, antialiased neighbours leave no gap.
   static constexpr double seal = 1;
   const DrawOptions& options() const { return options_; }
-
- private:
+  /// How a polygon faces a lamp above and left behind the camera, from 0 to 1.
   double light(PolygonId polygon) const;
 
+ private:
   const Scene& scene_;
   Camera camera_;
   DrawOptions options_;
@@ -52,7 +59,13 @@ class Drawing {
 /// Colour of lightness, chroma and hue (turns) in Oklab (B. Ottosson, 2020), clamped to sRGB.
 Colour oklch(double lightness, double chroma, double hue);
 
-/// Draws a map with its frame at (0,0) of the context's user space.
-void paint_map(cairo_t* context, const VisibilityMap& map, const Scene& scene, const DrawOptions& options);
+/// Draws a map with its frame at (0,0) of the context's user space; patches, if there are any, in place of the faces.
+void paint_map(cairo_t* context, const VisibilityMap& map, const Scene& scene, const DrawOptions& options,
+               std::span<const Patch> patches = {});
+/// As map_svg and write_map_png, patches in place of the faces.
+std::string patches_svg(std::span<const Patch> patches, const VisibilityMap& map, const Scene& scene,
+                        const DrawOptions& options);
+void write_patches_png(const std::filesystem::path& file, std::span<const Patch> patches, const VisibilityMap& map,
+                       const Scene& scene, const DrawOptions& options);
 
 }  // namespace sightline

@@ -38,15 +38,17 @@ void set_colour(cairo_t* context, Colour c, double opacity = 1) {
   cairo_set_source_rgba(context, c.r / 255.0, c.g / 255.0, c.b / 255.0, opacity);
 }
 
-void paint(cairo_surface_t* surface, const VisibilityMap& map, const Scene& scene, const DrawOptions& options) {
+void paint(cairo_surface_t* surface, const VisibilityMap& map, const Scene& scene, const DrawOptions& options,
+           std::span<const Patch> patches = {}) {
   const std::unique_ptr<cairo_t, Release> context(cairo_create(surface));
-  paint_map(context.get(), map, scene, options);
+  paint_map(context.get(), map, scene, options, patches);
   check(cairo_status(context.get()));
 }
 
 }  // namespace
 
-void paint_map(cairo_t* context, const VisibilityMap& map, const Scene& scene, const DrawOptions& options) {
+void paint_map(cairo_t* context, const VisibilityMap& map, const Scene& scene, const DrawOptions& options,
+               std::span<const Patch> patches) {
   const Drawing drawing(map, scene, options);
   cairo_save(context);
   cairo_rectangle(context, 0, 0, drawing.width(), drawing.height());
@@ -61,18 +63,30 @@ void paint_map(cairo_t* context, const VisibilityMap& map, const Scene& scene, c
     const glm::dvec2 place = drawing.place(map.vertices[vertex].st);
     step(context, place.x, place.y);
   };
+  const auto fill = [&](Colour colour) {
+    set_colour(context, colour);
+    cairo_fill_preserve(context);
+    cairo_set_line_width(context, Drawing::seal);
+    cairo_stroke(context);
+  };
+  for (const Patch& patch : patches) {
+    cairo_new_path(context);
+    for (const glm::dvec2& st : patch.st) {
+      const glm::dvec2 place = drawing.place(st);
+      cairo_line_to(context, place.x, place.y);
+    }
+    cairo_close_path(context);
+    fill(patch.colour);
+  }
   for (const MapFace& face : map.faces) {
-    if (options.fill == DrawOptions::Fill::empty) break;
+    if (options.fill == DrawOptions::Fill::empty || !patches.empty()) break;
     cairo_new_path(context);
     for (std::uint32_t k = 0; k < face.loop_count; ++k) {
       cairo_new_sub_path(context);
       for (const std::int32_t e : map.loop(face.first_loop + k)) go(start_vertex(map, e), cairo_line_to);
       cairo_close_path(context);
     }
-    set_colour(context, drawing.fill(face));
-    cairo_fill_preserve(context);
-    cairo_set_line_width(context, Drawing::seal);
-    cairo_stroke(context);
+    fill(drawing.fill(face));
   }
   for (const EdgeKind kind :
        {EdgeKind::seam, EdgeKind::crease, EdgeKind::intersection, EdgeKind::silhouette, EdgeKind::window}) {
@@ -96,10 +110,15 @@ void write_map_png(const std::filesystem::path& file, const VisibilityMap& map, 
 
 void write_map_png(const std::filesystem::path& file, const VisibilityMap& map, const Scene& scene,
                    const DrawOptions& options) {
+  write_patches_png(file, {}, map, scene, options);
+}
+
+void write_patches_png(const std::filesystem::path& file, std::span<const Patch> patches, const VisibilityMap& map,
+                       const Scene& scene, const DrawOptions& options) {
   const Drawing drawing(map, scene, options);
   const Canvas surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, drawing.width(), drawing.height()));
   check(cairo_surface_status(surface.get()));
-  paint(surface.get(), map, scene, options);
+  paint(surface.get(), map, scene, options, patches);
   std::string content;
   check(cairo_surface_write_to_png_stream(surface.get(), append, &content));
   write_file(file, content);

@@ -74,6 +74,21 @@ void append_face(std::string& out, const VisibilityMap& map, const MapFace& face
   out += "\"/>\n";
 }
 
+void append_patch(std::string& out, const Patch& patch, const Drawing& drawing) {
+  out += "<path class=\"face\" data-cameras=\"";
+  text::append(out, patch.what);
+  out += "\" fill=\"";
+  append_colour(out, patch.colour);
+  out += "\" stroke=\"";
+  append_colour(out, patch.colour);
+  out += "\" d=\"";
+  for (std::size_t k = 0; k < patch.st.size(); ++k) {
+    out += k == 0 ? 'M' : 'L';
+    append_place(out, drawing.place(patch.st[k]));
+  }
+  out += "Z\"/>\n";
+}
+
 void append_edge(std::string& out, const VisibilityMap& map, const MapEdge& edge, const Drawing& drawing) {
   out += "<path class=\"";
   out += kind_name[static_cast<int>(edge.kind)];
@@ -88,13 +103,8 @@ void append_edge(std::string& out, const VisibilityMap& map, const MapEdge& edge
   out += "\"/>\n";
 }
 
-}  // namespace
-
-std::string map_svg(const VisibilityMap& map, const Scene& scene, int width) {
-  return map_svg(map, scene, DrawOptions{.width = width});
-}
-
-std::string map_svg(const VisibilityMap& map, const Scene& scene, const DrawOptions& options) {
+std::string drawing_svg(const VisibilityMap& map, const Scene& scene, const DrawOptions& options,
+                        std::span<const Patch> patches) {
   const Drawing drawing(map, scene, options);
   const std::string width = std::to_string(drawing.width()), height = std::to_string(drawing.height());
   std::string out;
@@ -108,7 +118,11 @@ std::string map_svg(const VisibilityMap& map, const Scene& scene, const DrawOpti
   out += "<rect width=\"" + width + "\" height=\"" + height + "\" fill=\"";
   append_colour(out, Drawing::paper);
   out += "\"/>\n<g class=\"faces\">\n";
-  for (const MapFace& face : map.faces) append_face(out, map, face, drawing);
+  if (patches.empty()) {
+    for (const MapFace& face : map.faces) append_face(out, map, face, drawing);
+  } else {
+    for (const Patch& patch : patches) append_patch(out, patch, drawing);
+  }
   out += "</g>\n<g class=\"edges\">\n";
   for (const EdgeKind kind : thin_to_heavy) {
     if (!drawing.drawn(kind)) continue;
@@ -118,6 +132,21 @@ std::string map_svg(const VisibilityMap& map, const Scene& scene, const DrawOpti
   }
   out += "</g>\n</svg>\n";
   return out;
+}
+
+}  // namespace
+
+std::string map_svg(const VisibilityMap& map, const Scene& scene, int width) {
+  return map_svg(map, scene, DrawOptions{.width = width});
+}
+
+std::string map_svg(const VisibilityMap& map, const Scene& scene, const DrawOptions& options) {
+  return drawing_svg(map, scene, options, {});
+}
+
+std::string patches_svg(std::span<const Patch> patches, const VisibilityMap& map, const Scene& scene,
+                        const DrawOptions& options) {
+  return drawing_svg(map, scene, options, patches);
 }
 
 }  // namespace sightline

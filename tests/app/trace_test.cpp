@@ -113,6 +113,8 @@ TEST(Trace, EnginesWriteTheSameMaps) {
       run(folder, {"trace", "m.obj", "--cameras", "c.cameras", "-o", "two", "--engine", "cells", "--report", "r.json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(files_below(folder / "one"), files_below(folder / "two"));
+  ASSERT_EQ(run(folder, {"trace", "m.obj", "--cameras", "c.cameras", "-o", "three", "--engine", "hybrid"}).code, 0);
+  EXPECT_EQ(files_below(folder / "one"), files_below(folder / "three"));
   const Json report = Json::parse(read(folder / "r.json"));
   EXPECT_EQ(report.at("engine"), "cells");
   for (const char* key : {"seconds", "cells", "faces", "edges", "vertices", "pairs", "bytes"}) {

@@ -184,6 +184,43 @@ std::string ExactPieces::faults() {
   return text;
 }
 
+namespace {
+
+/// Strictly inside the segment?
+bool inside(const Point& x, const Point& from, const Point& to) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (x[k] < std::min(from[k], to[k]) || x[k] > std::max(from[k], to[k])) return false;
+  return x != from && x != to && cross(x - from, to - from) == Point{0, 0, 0};
+}
+
+}  // namespace
+
+std::string ExactPieces::t_faults(const TFreePieces& joined) const {
+  std::string text;
+  std::map<Point, std::uint32_t> places;
+  for (const std::uint32_t c : joined.corners)
+    if (places.try_emplace(corner_[c], c).first->second != c) text += "a place with two names\n";
+  for (std::size_t p = 0; p < result_.pieces.size(); ++p) {
+    const std::string name = "piece " + std::to_string(p) + ": ";
+    const auto own = std::span(joined.corners).subspan(joined.first[p], joined.first[p + 1] - joined.first[p]);
+    const auto figure = outline(p);
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const Point &from = corner_[own[k]], &to = corner_[own[(k + 1) % own.size()]];
+      for (const auto& [x, corner] : places)
+        if (inside(x, from, to)) text += name + "a corner inside a side\n";
+      if (at < figure.size() && from == figure[at]) {
+        ++at;
+      } else if (at == 0 || !inside(from, figure[at - 1], figure[at % figure.size()]) ||
+                 !inside(from, corner_[own[k - 1]], figure[at % figure.size()])) {
+        text += name + "a corner that is not its own, nor on a side\n";
+      }
+    }
+    if (at != figure.size()) text += name + "a corner has gone\n";
+  }
+  return text;
+}
+
 bool ExactPieces::in_frame(std::uint32_t camera, const Point& x) const {
   // x - eye = w (forward + (s - 1/2) right + (t - 1/2) up)
   const Camera& c = cameras_[camera];

@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-#include "clip/clip.hpp"
+#include "clip/t_free.hpp"
 
 namespace sightline::testing {
 
@@ -37,6 +37,8 @@ class ExactPieces {
   /// The same for `rays` random points of each piece that is looked at, one in `one_in`: is each seen by those cameras
   /// that the piece lists, and no other?
   std::string wrong_rays(std::uint64_t seed, int rays, int one_in = 1);
+  /// Every fault of the laws of t_free(), one a line.
+  std::string t_faults(const TFreePieces& joined) const;
   /// The part of the window in which a camera sees the polygon.
   double area(PolygonId polygon, std::uint32_t camera) const;
   bool lists(const ClipPiece& piece, std::uint32_t camera) const;
