@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -86,6 +87,48 @@ TEST(ClipCommand, ThresholdAndRegions) {
   EXPECT_NE(read(folder / "c.ply").find("property list uint uint partly"), std::string::npos);
 }
 
+TEST(ClipCommand, TableIsThatOfTrace) {
+  const auto folder = folder_with_model("clip_csv", 6);
+  ASSERT_EQ(clip(folder, {"-o", "a.ply", "--csv", "a.csv", "--threshold", "1", "--threads", "3"}).code, 0);
+  ASSERT_EQ(run(folder, {"trace", "m.obj", "--cameras", "c.cameras", "-o", "maps", "--format", "csv", "-q"}).code, 0);
+  EXPECT_EQ(read(folder / "a.csv"), read(folder / "maps" / "visibility.csv"));
+}
+
+TEST(ClipCommand, SamplingAndTFree) {
+  const auto folder = folder_with_model("clip_variants", 8);
+  ASSERT_EQ(clip(folder, {"-o", "a.ply"}).code, 0);
+  ASSERT_EQ(clip(folder, {"-o", "b.ply", "--sampling", "--buffer", "100"}).code, 0);
+  ASSERT_EQ(clip(folder, {"-o", "c.ply", "--t-free"}).code, 0);
+  EXPECT_EQ(read(folder / "a.ply"), read(folder / "b.ply"));
+  const auto plain = faces(read(folder / "a.ply")), joined = faces(read(folder / "c.ply"));
+  ASSERT_EQ(plain.size(), joined.size());
+  int more = 0;
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    const auto n = static_cast<std::ptrdiff_t>(plain[k][0]), m = static_cast<std::ptrdiff_t>(joined[k][0]);
+    EXPECT_GE(m, n);
+    more += static_cast<int>(m - n);
+    // What follows the corners is the same.
+    EXPECT_TRUE(std::equal(plain[k].begin() + n + 1, plain[k].end(), joined[k].begin() + m + 1, joined[k].end()));
+  }
+  EXPECT_GT(more, 0);
+  EXPECT_EQ(run(folder, {"trace", "c.ply", "--cameras", "c.cameras", "-o", "maps", "-q"}).code, 0);
+}
+
+TEST(ClipCommand, PicturesByTheNumberOfCameras) {
+  const auto folder = folder_with_model("clip_pictures", 3);
+  write(folder / "v.cameras", first_lines(read(folder / "m.cameras"), 1));
+  ASSERT_EQ(clip(folder, {"-o", "a.ply", "--pictures", "p", "--views", "v.cameras"}).code, 0);
+  ASSERT_EQ(clip(folder, {"-o", "b.ply", "--pictures", "q"}).code, 0);
+  EXPECT_EQ(files_below(folder / "p").size(), 2u);
+  EXPECT_EQ(files_below(folder / "q").size(), 6u);
+  const std::string svg = read(folder / "q" / "0000.svg");
+  EXPECT_NE(svg.find("data-cameras=\"1\""), std::string::npos);
+  EXPECT_NE(svg.find("data-cameras=\"3\""), std::string::npos);
+  EXPECT_EQ(svg.find("data-cameras=\"0\""), std::string::npos);  // its own camera sees it at least
+  EXPECT_TRUE(read(folder / "q" / "0002.png").starts_with("\x89PNG"));
+  EXPECT_EQ(read(folder / "a.ply"), read(folder / "b.ply"));  // views cut nothing
+}
+
 TEST(ClipCommand, RefusesWhatItCannotDo) {
   const auto folder = folder_with_model("clip_bad", 2);
   const auto expect = [&](int code, const Arguments& arguments, const std::string& says) {
@@ -98,7 +141,10 @@ TEST(ClipCommand, RefusesWhatItCannotDo) {
   expect(2, {"-o", "x.obj"}, "must end in .ply");
   expect(2, {"-o", "x.ply", "--threshold", "-1"}, "--threshold");
   expect(2, {"-o", "x.ply", "--buffer", "0"}, "--buffer");
+  expect(2, {"-o", "x.ply", "--views", "c.cameras"}, "--views");
+  expect(2, {"-o", "x.ply", "--csv", "x.csv", "--regions", "none"}, "--csv");
   expect(3, {"-o", "x.ply", "--regions", "none"}, "none");
+  expect(3, {"-o", "x.ply", "--pictures", "p", "--views", "none"}, "none");
   const auto region = [&](const std::string& text, const std::string& says) {
     write(folder / "r", text);
     expect(3, {"-o", "x.ply", "--regions", "r"}, says);
