@@ -47,16 +47,20 @@ ClipResult clip(const Scene& scene, std::span<const Camera> cameras, const ClipO
   const double start = now();
   std::vector<std::optional<CoverBuffer>> drawn(cameras.size());
   std::atomic<std::size_t> next_camera = 0;
+  const BoxTree tree(scene);
   in_threads(options.threads, [&] {
-    for (std::size_t c = next_camera++; c < cameras.size(); c = next_camera++)
-      drawn[c].emplace(scene, cameras[c], options.buffer > 0 ? options.buffer : chosen_size(scene, cameras.size()));
+    std::vector<SurfaceId> in_window;
+    for (std::size_t c = next_camera++; c < cameras.size(); c = next_camera++) {
+      find_in_frame(View(scene, cameras[c], static_cast<std::uint32_t>(c), {}), tree, in_window);
+      const int size = options.buffer > 0 ? options.buffer : chosen_size(in_window.size(), cameras.size());
+      drawn[c].emplace(scene, cameras[c], in_window, size);
+    }
   });
   std::vector<CoverBuffer> buffers;
   for (auto& buffer : drawn) buffers.push_back(std::move(*buffer));
   const double ready = now();
   result.stats.buffer_seconds = ready - start;
 
-  const BoxTree tree(scene);
   const auto count = static_cast<SurfaceId>(scene.surfaces().size());
   std::vector<ClippedSurface> clipped(count);
   std::atomic<SurfaceId> next = 0;

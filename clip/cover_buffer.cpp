@@ -38,15 +38,15 @@ void keep(double a, double b, int& first, int& last) {
 
 }  // namespace
 
-int chosen_size(const Scene& scene, std::size_t cameras) {
-  const double wanted = 8 * std::sqrt(static_cast<double>(scene.surfaces().size()));
+int chosen_size(std::size_t surfaces, std::size_t cameras) {
+  const double wanted = 8 * std::sqrt(static_cast<double>(surfaces));
   const double most = std::sqrt(0x1p28 / sizeof(float) / static_cast<double>(cameras));
   int size = 64;
   while (size < wanted && 2 * size <= most && size < 1024) size *= 2;
   return size;
 }
 
-CoverBuffer::CoverBuffer(const Scene& scene, const Camera& camera, int size)
+CoverBuffer::CoverBuffer(const Scene& scene, const Camera& camera, std::span<const SurfaceId> surfaces, int size)
     : scene_(scene), size_(size), nearest_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 0.0f) {
   eye_ = scene.grid().unit(camera.eye);
   reach_ = largest(eye_);
@@ -62,7 +62,8 @@ CoverBuffer::CoverBuffer(const Scene& scene, const Camera& camera, int size)
 
   std::vector<glm::dvec3> corners;
   std::vector<Linear> sides;
-  for (const Surface& s : scene.surfaces()) {
+  for (const SurfaceId id : surfaces) {
+    const Surface& s = scene.surfaces()[id];
     corners.clear();
     for (const SurfaceEdge& e : scene.edges(s)) {
       if (e.corner == none) break;

@@ -1,6 +1,7 @@
 // A conservative item buffer: what surely covers each pixel, whole. For this folder's own use.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scene/camera.hpp"
@@ -15,8 +16,8 @@ namespace sightline {
 /// pixel wide is lost on it.) The paper's ids are not needed: not who covers a pixel matters, but that someone does.
 class CoverBuffer {
  public:
-  /// `size` pixels in each direction.
-  CoverBuffer(const Scene& scene, const Camera& camera, int size);
+  /// `size` pixels in each direction; the surfaces that may cover them.
+  CoverBuffer(const Scene& scene, const Camera& camera, std::span<const SurfaceId> surfaces, int size);
 
   /// Is a convex figure of the plane hidden, as far as it is in the window at all? Corners in unit coordinates, each
   /// within 2^-46, counter-clockwise seen from the plane's front, or the other way round if `backwards`.
@@ -47,8 +48,9 @@ class CoverBuffer {
   std::vector<float> nearest_;                        // inverse depths, rounded down; 0: nothing covers it
 };
 
-/// A power of two: about eight pixels to a surface's width, were all of them in view side by side; all cameras' buffers
-/// together below 256 MiB, for as long as a side has 64.
-int chosen_size(const Scene& scene, std::size_t cameras);
+/// The number of pixels along a side for a camera in whose window so many surfaces may be seen: a power of two, about
+/// eight pixels to a surface's width, were all of them in view side by side; all cameras' buffers together below
+/// 256 MiB, for as long as a side has 64.
+int chosen_size(std::size_t surfaces, std::size_t cameras);
 
 }  // namespace sightline

@@ -13,7 +13,6 @@ namespace sightline {
 struct HybridTracer::State {
   State(const Scene& s, std::shared_ptr<const BoxTree> t, int b) : scene(s), tree(std::move(t)), buffer(b) {}
 
-  void find_surfaces(View& view);
   void clip(SurfaceId surface, View& view, const CoverBuffer& cover, ShadowFinder& finder);
   void see(const Outline& outline, SurfaceId surface, View& view, Outlines& outlines, Carver& carver);
   SightlineRef sightline(const OutlineSide& side, PlaneId plane, View& view, Outlines& outlines);
@@ -32,13 +31,6 @@ struct HybridTracer::State {
   std::vector<SightlineRef> of_line;  // by line of the surface's plane; none: not yet known
   std::vector<SightlineRef> lines;
 };
-
-void HybridTracer::State::find_surfaces(View& view) {
-  std::vector<RoughPlane> volume;
-  for (const NamedLine& side : view.frame()) volume.push_back(as_plane(view.table(), side.line));
-  in_window.clear();
-  tree->find(volume, in_window);
-}
 
 /// The plane through the eye and a side, its front where the outline lies.
 SightlineRef HybridTracer::State::sightline(const OutlineSide& side, PlaneId plane, View& view, Outlines& outlines) {
@@ -102,11 +94,11 @@ void HybridTracer::trace(const Camera& camera, VisibilityMap& map, HybridStats* 
   State& s = *state_;
   const auto start = std::chrono::steady_clock::now();
   View view(s.scene, camera, 0, {});
-  const CoverBuffer cover(s.scene, camera, s.buffer > 0 ? s.buffer : chosen_size(s.scene, 1));
+  find_in_frame(view, *s.tree, s.in_window);
+  const CoverBuffer cover(s.scene, camera, s.in_window, s.buffer > 0 ? s.buffer : chosen_size(s.in_window.size(), 1));
   ShadowFinder finder(s.scene, *s.tree);
   s.fragments.clear();
   s.seen.clear();
-  s.find_surfaces(view);
   for (const SurfaceId surface : s.in_window) s.clip(surface, view, cover, finder);
   s.sky.fill(view, s.seen, s.fragments);
   s.stitcher.stitch(s.scene, camera, view.window(),

@@ -30,6 +30,13 @@ RoughPlane as_plane(const SightlineTable& table, SightlineRef line) {
   return {n, glm::dot(n, e), 0x1p-47 * (reach + 1)};
 }
 
+void find_in_frame(const View& view, const BoxTree& tree, std::vector<SurfaceId>& found) {
+  std::vector<RoughPlane> volume;
+  for (const NamedLine& side : view.frame()) volume.push_back(as_plane(view.table(), side.line));
+  found.clear();
+  tree.find(volume, found);
+}
+
 ShadowFinder::Outcome ShadowFinder::find(SurfaceId surface, View& view, Outlines& outlines,
                                          std::vector<OutlineSide>& frame, std::vector<Shadow>& shadows) {
   frame.clear();

@@ -23,6 +23,9 @@ struct Shadow {
 /// A sightline as a plane for BoxTree: what lies in its front is inside.
 RoughPlane as_plane(const SightlineTable& table, SightlineRef line);
 
+/// Ascending, every surface that reaches into what the camera sees, and others near it.
+void find_in_frame(const View& view, const BoxTree& tree, std::vector<SurfaceId>& found);
+
 /// A surface in the plane of another, and where it lies there.
 struct Coplanar {
   SurfaceId surface;
