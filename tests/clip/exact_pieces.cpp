@@ -299,10 +299,10 @@ std::string ExactPieces::wrong_rays(std::uint64_t seed, int rays, int one_in) {
   return text;
 }
 
-double ExactPieces::area(PolygonId polygon, std::uint32_t camera) const {
+Rational ExactPieces::exact_area(PolygonId polygon, std::uint32_t camera) const {
   const Camera& c = cameras_[camera];
   const Point f = exact(c.forward), r = exact(c.right), u = exact(c.up);
-  double sum = 0;
+  Rational sum = 0;
   const auto [first, last] = std::ranges::equal_range(result_.pieces, polygon, {}, &ClipPiece::polygon);
   for (auto piece = first; piece != last; ++piece) {
     if (!lists(*piece, camera)) continue;
@@ -316,7 +316,7 @@ double ExactPieces::area(PolygonId polygon, std::uint32_t camera) const {
     Rational twice = 0;
     for (std::size_t k = 2; k < st.size(); ++k)
       twice += (st[k - 1][0] - st[0][0]) * (st[k][1] - st[0][1]) - (st[k - 1][1] - st[0][1]) * (st[k][0] - st[0][0]);
-    sum += std::abs(twice.get_d()) / 2;
+    sum += abs(twice) / 2;
   }
   return sum;
 }

@@ -40,7 +40,8 @@ class ExactPieces {
   /// Every fault of the laws of t_free(), one a line.
   std::string t_faults(const TFreePieces& joined) const;
   /// The part of the window in which a camera sees the polygon.
-  double area(PolygonId polygon, std::uint32_t camera) const;
+  Rational exact_area(PolygonId polygon, std::uint32_t camera) const;
+  double area(PolygonId polygon, std::uint32_t camera) const { return exact_area(polygon, camera).get_d(); }
   bool lists(const ClipPiece& piece, std::uint32_t camera) const;
 
  private:

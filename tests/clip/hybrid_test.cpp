@@ -75,9 +75,9 @@ TEST(Hybrid, SameBytesOnDegenerateScenes) {
 
 TEST(Hybrid, SameBytesOnTheModels) {
   for (const Shot& shot :
-       {model("rooms", 9), model("maze", 20), model("city", 20), model("building", 25, 600), model("tower", 6),
-        model("campus", 3), model("random", 4, 120), model("arena", 40), model("rooms", 20, 0, 17),
-        model("maze", 40, 0, 17), model("tower", 12, 0, 17), model("campus", 5, 0, 17)}) {
+       {model("rooms", 9), model("maze", 30), model("city", 50), model("building", 50, 400), model("tower", 12),
+        model("campus", 5), model("random", 8, 120), model("arena", 80), model("rooms", 20, 0, 17),
+        model("maze", 60, 0, 17), model("tower", 24, 0, 17), model("campus", 9, 0, 17)}) {
     Engines engines(shot.scene);
     for (const Camera& camera : shot.cameras) engines.expect_same(camera, shot.scene.soup().source);
   }

@@ -2,6 +2,7 @@
 // SIGHTLINE_CASES=n makes n cases instead of the usual few, SIGHTLINE_FIRST=k begins with seed k.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "tests/clip/shots.hpp"
@@ -29,6 +30,56 @@ TEST(ClipLaws, DegenerateScenes) {
     surfaces += shot.scene.surfaces().size();
   }
   EXPECT_GT(pieces, surfaces);  // something was cut
+}
+
+// The pieces differ, what is seen of each polygon does not: to the last bit of its area.
+TEST(ClipLaws, TheOrderOfTheCamerasChangesNothingThatIsSeen) {
+  for (std::uint64_t seed = 4000; seed < 4020; ++seed) {
+    const Shot shot = degenerate(seed);
+    const ClipOptions options;
+    const ClipResult result = clip(shot.scene, shot.cameras, options);
+    const ExactPieces exact(shot.scene, shot.cameras, options, result);
+    std::vector<std::uint32_t> order{0, 1, 2};
+    while (std::next_permutation(order.begin(), order.end())) {
+      std::vector<Camera> cameras;
+      for (const std::uint32_t k : order) cameras.push_back(shot.cameras[k]);
+      const ClipResult other = clip(shot.scene, cameras, options);
+      const ExactPieces turned(shot.scene, cameras, options, other);
+      for (PolygonId p = 0; p < shot.scene.polygon_count(); ++p)
+        for (std::uint32_t c = 0; c < 3; ++c)
+          EXPECT_EQ(exact.exact_area(p, order[c]), turned.exact_area(p, c)) << "seed " << seed;
+    }
+  }
+}
+
+// Polygons a thousandth of a pixel wide, and slivers, before a wall: each is seen, and hides what it hides.
+TEST(ClipLaws, PolygonsOfLessThanAPixel) {
+  Random random(21);
+  PolygonSoup soup;
+  const auto add = [&](const std::vector<glm::dvec3>& corners) {
+    for (const glm::dvec3& v : corners) {
+      soup.corners.push_back(static_cast<std::uint32_t>(soup.vertices.size()));
+      soup.vertices.push_back(v);
+    }
+    soup.first.push_back(static_cast<std::uint32_t>(soup.corners.size()));
+  };
+  add({{-8, 8, -8}, {8, 8, -8}, {8, 8, 8}, {-8, 8, 8}});
+  for (int k = 0; k < 30; ++k) {
+    const glm::dvec3 at{random.between(-64, 64) / 32.0, 4 + random.between(0, 8) / 8.0, random.between(-64, 64) / 32.0};
+    const double wide = 0x1p-20, long_side = random.once_in(3) ? 1 : wide;
+    add({at, at + glm::dvec3{wide, 0, random.between(0, 1) * wide}, at + glm::dvec3{0, 0, long_side}});
+  }
+  const Scene scene = make_scene(soup);
+  const std::vector<Camera> cameras{make_camera({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 60, 1),
+                                    make_camera({0.5, 0.25, 0}, {0, 1, 0}, {0, 0, 1}, 60, 1)};
+  ClipOptions options;
+  for (const bool sampling : {false, true}) {
+    options.sampling = sampling;
+    const ClipResult result = clip(scene, cameras, options);
+    ExactPieces exact(scene, cameras, options, result);
+    EXPECT_EQ(exact.faults() + exact.wrong_rays(22, 2), "");
+    for (PolygonId p = 0; p <= 30; ++p) EXPECT_GT(exact.area(p, 0) + exact.area(p, 1), 0) << p;
+  }
 }
 
 TEST(ClipLaws, Regions) {
