@@ -32,7 +32,7 @@ TEST(TFree, NoCornerInsideASide) {
 }
 
 TEST(TFree, OnModelsWithRegions) {
-  for (const Shot& shot : {model("rooms", 40), model("rooms", 60, 0, 17), model("tower", 24, 60)}) {
+  for (const Shot& shot : {model("rooms", 40), model("rooms", 60, 0, 17), model("random", 8, 60)}) {
     ClipOptions options;
     options.regions = {{{true, {{0.1, 0.1}, {0.9, 0.2}, {0.5, 0.95}}}, {false, {{0.4, 0.4}, {0.6, 0.4}, {0.5, 0.6}}}}};
     const ClipResult result = clip(shot.scene, shot.cameras, options);
