@@ -55,6 +55,7 @@ TEST(Usage, WrongUsageIsOneLineAndExitCode2) {
       with(trace, {"--min-angle", "1e-9", "--engine", "cells"}),
       with(trace, {"--max-distance", "0"}),
       with(trace, {"--max-distance", "nan"}),
+      with(trace, {"--max-distance", "5", "--engine", "hybrid"}),
       with(trace, {"--threads", "0"}),
       with(trace, {"--threads", "-1"}),
       with(trace, {"--threads", "two"}),
