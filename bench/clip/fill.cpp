@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
-#include <numeric>
 
 #include "clip/cover_buffer.hpp"
+#include "clip/shadows.hpp"
 #include "models/model.hpp"
 #include "scene/read.hpp"
 
@@ -101,7 +101,8 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
   std::printf(
-      "scene | polygons | Embree's tree, ms | pixels a side | buffer, ms a camera | rays, ms a camera | hits\n");
+      "scene | polygons | in the window | Embree's tree, ms | pixels a side | buffer, ms a camera | rays, ms a camera "
+      "| hits\n");
   for (const std::string& name : names) {
     PolygonSoup soup;
     std::vector<Camera> all;
@@ -117,26 +118,30 @@ int main(int argc, char** argv) {
         all.push_back(make_camera(c.eye, c.forward, c.up, c.vertical_fov_degrees, c.aspect));
     }
     const Scene scene = make_scene(soup);
-    std::vector<SurfaceId> surfaces(scene.surfaces().size());
-    std::iota(surfaces.begin(), surfaces.end(), 0u);
+    const BoxTree boxes(scene);
+    std::vector<SurfaceId> surfaces;
     const double start = cpu_seconds();
     RTCScene tree = no_rays ? nullptr : embree_scene(device, scene);
     const double build = cpu_seconds() - start;
     const std::size_t step = std::max<std::size_t>(1, all.size() / cameras);
     for (const int size : sizes) {
       double buffer = 0, rays = 0;
-      std::size_t hits = 0, count = 0;
+      std::size_t hits = 0, count = 0, found = 0;
       for (std::size_t k = 0; k < all.size(); k += step, ++count) {
         const double before = cpu_seconds();
-        if (!no_buffer) CoverBuffer(scene, all[k], surfaces, size);
+        if (!no_buffer) {
+          find_in_frame(View(scene, all[k], 0, {}), boxes, surfaces);
+          CoverBuffer(scene, all[k], surfaces, size);
+        }
         const double middle = cpu_seconds();
         if (tree) hits += shoot(tree, scene.grid().unit(all[k].eye), all[k], size);
         buffer += middle - before;
+        found += surfaces.size();
         rays += cpu_seconds() - middle;
       }
       const double each = 1e3 / static_cast<double>(count);
-      std::printf("%s | %u | %.2f | %d | %.3f | %.3f | %zu\n", name.c_str(), scene.polygon_count(), 1e3 * build, size,
-                  buffer * each, rays * each, hits / count);
+      std::printf("%s | %u | %zu | %.2f | %d | %.3f | %.3f | %zu\n", name.c_str(), scene.polygon_count(), found / count,
+                  1e3 * build, size, buffer * each, rays * each, hits / count);
       std::fflush(stdout);
     }
     if (tree) rtcReleaseScene(tree);
