@@ -5,6 +5,7 @@
 #include "app/exit_codes.hpp"
 #include "app/files.hpp"
 #include "app/messages.hpp"
+#include "app/photos.hpp"
 #include "app/report.hpp"
 #include "app/stopwatch.hpp"
 #include "clip/files.hpp"
@@ -25,6 +26,7 @@ struct ClipCommand {
   ClipOptions clip;
   std::filesystem::path input, cameras, regions, output, csv, pictures, views;
   bool t_free = false;
+  PhotoCommand photos;
 };
 
 /// DIR/0000.svg and DIR/0000.png, one pair a view.
@@ -50,6 +52,8 @@ int clip_scene(ClipCommand& command) {
   const Stopwatch watch;
   const std::vector<Camera> cameras = read_cameras(command.cameras);
   const std::vector<Camera> views = command.views.empty() ? cameras : read_cameras(command.views);
+  if (!command.photos.folder.empty()) check_textured(command.output, command.input);
+  std::vector<Image> images = read_photos(command.photos, cameras);
   if (!command.regions.empty()) command.clip.regions = read_regions(command.regions, cameras.size());
   const Input input = read_input(command.input, command.common);
   tell(describe(input.scene), command.common.quiet);
@@ -66,7 +70,12 @@ int clip_scene(ClipCommand& command) {
                       result.stats.buffer_seconds, result.stats.clip_seconds};
   figures.seen = static_cast<std::size_t>(
       std::count_if(result.pieces.begin(), result.pieces.end(), [](const ClipPiece& p) { return p.camera_count > 0; }));
-  Report report{"clip", input.scene, {}, {}, watch.seconds(), done, figures};
+  std::optional<PhotoFigures> photos;
+  if (!images.empty()) {
+    photos =
+        write_textured(command.photos, std::move(images), input.scene, cameras, command.clip, result, command.output);
+  }
+  Report report{"clip", input.scene, {}, {}, watch.seconds(), done, figures, photos};
   publish(report, command.common);
   tell(command.output.string() + ": " + counted(figures.pieces, "piece") + ", " + std::to_string(figures.seen) +
            " of them seen by " + counted(cameras.size(), "camera"),
@@ -102,6 +111,7 @@ void add_clip_command(CLI::App& root, Run& run) {
       ->type_name("DIR");
   sub->add_option("--views", command->views, "Cameras file: from where the pictures are (default: from the cameras)")
       ->type_name("V");
+  add_photo_options(*sub, command->photos);
   add_common_options(*sub, command->common);
   sub->callback([command, &run] { run = [command] { return clip_scene(*command); }; });
 }

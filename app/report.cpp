@@ -56,6 +56,21 @@ Json clip_json(const ClipFigures& c) {
           {"clip_seconds", c.clip_seconds}};
 }
 
+Json photos_json(const PhotoFigures& p) {
+  const auto pieces = [&](PieceTexture::Source source) { return p.stats.pieces[source]; };
+  return {{"guard", p.guard},
+          {"pages", p.pages},
+          {"pieces",
+           {{"best", pieces(PieceTexture::best)},
+            {"next", pieces(PieceTexture::next)},
+            {"uniform", pieces(PieceTexture::uniform)},
+            {"polygon", pieces(PieceTexture::polygon)},
+            {"unknown", pieces(PieceTexture::unknown)},
+            {"hidden", pieces(PieceTexture::hidden)}}},
+          {"texels", {{"direct", p.stats.direct}, {"borrowed", p.stats.borrowed}, {"continued", p.stats.continued}}},
+          {"seconds", p.stats.seconds}};
+}
+
 Json camera_json(std::size_t index, const CameraFigures& c) {
   if (!c.error.empty()) return {{"index", index}, {"error", c.error}};
   return {{"index", index},   {"seconds", c.seconds}, {"beams", c.beams},       {"cells", c.cells},
@@ -101,6 +116,7 @@ std::string report_json(const Report& report, const CommonOptions& options) {
   if (report.scene) json["scene"] = scene_json(*report.scene);
   if (report.complex) json["complex"] = complex_json(*report.complex);
   if (report.clip) json["clip"] = clip_json(*report.clip);
+  if (report.photos) json["photos"] = photos_json(*report.photos);
   json["cameras"] = Json::array();
   for (std::size_t k = 0; k < report.cameras.size(); ++k) json["cameras"].push_back(camera_json(k, report.cameras[k]));
   json["decisions"] = decisions_json();

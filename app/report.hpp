@@ -3,6 +3,7 @@
 
 #include "app/options.hpp"
 #include "bsp/tree.hpp"
+#include "photos/photos.hpp"
 #include "scene/scene.hpp"
 #include "winged_pair/complex.hpp"
 
@@ -36,6 +37,13 @@ struct ClipFigures {
   double buffer_seconds = 0, clip_seconds = 0;
 };
 
+/// Of the textures that `clip --photos` made.
+struct PhotoFigures {
+  PhotoStats stats;
+  int guard = 0;
+  std::size_t pages = 0;
+};
+
 struct Report {
   std::string command;
   std::optional<Scene> scene;
@@ -44,6 +52,7 @@ struct Report {
   double seconds = 0;  // the whole run, reading and writing included
   int exit_code = 0;
   std::optional<ClipFigures> clip = {};
+  std::optional<PhotoFigures> photos = {};
 };
 
 /// The report as JSON, with the decision tallies and the peak of memory of this process.
