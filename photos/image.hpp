@@ -16,6 +16,7 @@ namespace sightline {
 /// A picture of 8 bits a channel, rows from the top. Pixel (i,j) is the square from (i,j) to (i+1,j+1): x runs to the
 /// right, y downwards. Colours are mixed as the numbers they are stored as.
 struct Image {
+  static constexpr int longest = 32767;  // pixels along a side
   int width = 0, height = 0;
   std::vector<std::array<std::uint8_t, 3>> pixels;  // width * height
 
@@ -39,8 +40,8 @@ struct Image {
 /// The nearest storable colour of numbers from 0 to 255.
 std::array<std::uint8_t, 3> stored(const glm::dvec3& colour);
 
-/// Reads a PNG file of any kind; 16 bits a channel become 8. Throws InputError where it cannot be read, is no whole
-/// PNG, or is transparent anywhere.
+/// Reads a PNG file of any kind; 16 bits a channel become 8, other gammas that of sRGB. Throws InputError where it
+/// cannot be read, is no whole PNG, is transparent anywhere, or has a side of more than Image::longest pixels.
 Image read_png(const std::filesystem::path& file);
 /// The same from the bytes of a file; `name` stands for the file in messages.
 Image parse_png(std::string_view bytes, const std::string& name);

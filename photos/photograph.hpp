@@ -35,8 +35,8 @@ class Photograph {
   PixelOwners owners_;
 };
 
-/// How many pixels wide, more or less than by the camera's window, a photograph may be: 1. Throws InputError, one line
-/// that begins with `name`, where it is off by more.
+/// Throws InputError, one line that begins with `name`, unless one side has the number of pixels that the camera's
+/// window asks for beside the other, to within one.
 void check_aspect(const Image& image, const Camera& camera, const std::string& name);
 
 }  // namespace sightline

@@ -5,7 +5,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache pkg-config
-  libglm-dev libgmp-dev libcairo2-dev   # the library: vectors, integers, pictures
+  libglm-dev libgmp-dev libcairo2-dev libpng-dev  # the library: vectors, integers, pictures
   libtbb-dev                            # and threads
   libcli11-dev                          # the command: options
   nlohmann-json3-dev libeigen3-dev
