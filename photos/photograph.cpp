@@ -1,5 +1,6 @@
 #include "photos/photograph.hpp"
 
+#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -51,8 +52,9 @@ PhotoSample Photograph::sample(PolygonId polygon, const glm::dvec2& place, int r
 void check_aspect(const Image& image, const Camera& camera, const std::string& name) {
   const double aspect = glm::length(camera.right) / glm::length(camera.up);
   if (std::abs(image.width - image.height * aspect) <= 1 || std::abs(image.height - image.width / aspect) <= 1) return;
-  char wanted[32];
-  std::snprintf(wanted, sizeof wanted, "%.6g", aspect);
+  char digits[32];
+  const std::string wanted(digits,
+                           std::to_chars(digits, digits + sizeof digits, aspect, std::chars_format::general, 6).ptr);
   throw InputError(name + ": " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                    " pixels do not fit the camera's aspect of " + wanted);
 }

@@ -22,10 +22,20 @@ using Source = PieceTexture::Source;
 struct Choice {
   Source source = Source::hidden;
   std::uint32_t camera = none;
-  Tile tile;          // with its colours continued; one texel where the colour is uniform
+  Image texture;      // with padding; one texel of it where the colour is uniform
   glm::dvec3 sum{0};  // of usable colours, and how many: of the texture, or of all photographs where none has enough
   std::size_t count = 0;
+  std::size_t direct = 0, borrowed = 0, continued = 0;
 };
+
+Image texture_of(const Tile& tile) {
+  Image image(tile.full_width(), tile.full_height());
+  std::ranges::transform(tile.colour, image.pixels.begin(), stored);
+  return image;
+}
+
+/// One texel of a colour, with padding.
+Image one_texel(const glm::dvec3& colour) { return {1 + 2 * texture_padding, 1 + 2 * texture_padding, stored(colour)}; }
 
 Choice choose(const Scene& scene, const ClipResult& clipped, const ClipPiece& piece,
               std::span<const Photograph> photographs, const PhotoOptions& options) {
@@ -50,24 +60,14 @@ Choice choose(const Scene& scene, const ClipResult& clipped, const ClipPiece& pi
     Tile tile = make_tile(frame, piece, photographs[camera], options);
     if (tile.enough()) {
       continue_colours(tile);
-      choice = {k == 0 ? Source::best : Source::next, camera, std::move(tile), {}, 0};
-      choice.sum = choice.tile.sum;
-      choice.count = choice.tile.direct + choice.tile.borrowed;
-      return choice;
+      return {k == 0 ? Source::best : Source::next, camera,      texture_of(tile), tile.sum,
+              tile.direct + tile.borrowed,          tile.direct, tile.borrowed,    tile.bare};
     }
     choice.sum += tile.sum;
     choice.count += tile.direct + tile.borrowed;
   }
   choice.source = choice.count > 0 ? Source::uniform : Source::unknown;
   return choice;
-}
-
-/// One texel of a colour, with padding.
-Tile uniform_tile(const glm::dvec3& colour) {
-  Tile tile;
-  tile.width = tile.height = 1;
-  tile.colour.assign(static_cast<std::size_t>(tile.full_width() * tile.full_height()), colour);
-  return tile;
 }
 
 /// Gives pieces without a texture their colour: their own mean, their polygon's, or the stated one.
@@ -82,53 +82,57 @@ void colour_the_rest(const ClipResult& clipped, const PhotoOptions& options, std
   for (std::size_t k = 0; k < choices.size(); ++k) {
     Choice& choice = choices[k];
     if (choice.source == Source::uniform) {
-      choice.tile = uniform_tile(choice.sum / static_cast<double>(choice.count));
+      choice.texture = one_texel(choice.sum / static_cast<double>(choice.count));
     } else if (choice.source == Source::unknown) {
       const auto& [sum, count] = polygons[clipped.pieces[k].polygon];
       if (count > 0) choice.source = Source::polygon;
-      choice.tile = uniform_tile(count > 0 ? sum / static_cast<double>(count) : unseen);
+      choice.texture = one_texel(count > 0 ? sum / static_cast<double>(count) : unseen);
     } else if (choice.source == Source::hidden) {
-      choice.tile = uniform_tile(unseen);
+      choice.texture = one_texel(unseen);
     }
   }
 }
 
-void draw(const Tile& tile, const PackedRectangle& place, Image& page) {
-  std::size_t k = 0;
-  for (int j = 0; j < tile.full_height(); ++j) {
-    for (int i = 0; i < tile.full_width(); ++i) page.at(place.x + i, place.y + j) = stored(tile.colour[k++]);
+void draw(const Image& texture, const PackedRectangle& place, Image& page) {
+  for (int j = 0; j < texture.height; ++j) {
+    for (int i = 0; i < texture.width; ++i) page.at(place.x + i, place.y + j) = texture.at(i, j);
   }
 }
 
-/// Puts all tiles on pages, those of one colour once.
+/// Puts all textures on pages, those of one colour once.
 void lay_out(const Scene& scene, const ClipResult& clipped, const PhotoOptions& options,
              const std::vector<Choice>& choices, PhotoTextures& result) {
   std::map<std::array<std::uint8_t, 3>, std::size_t> of_colour;
   std::vector<PackedRectangle> rectangles;
-  std::vector<std::size_t> rectangle_of, tile_of;
+  std::vector<std::size_t> rectangle_of, choice_of;
   for (std::size_t k = 0; k < choices.size(); ++k) {
-    const Tile& tile = choices[k].tile;
+    const Image& texture = choices[k].texture;
     rectangle_of.push_back(rectangles.size());
     if (choices[k].camera == none) {
-      const auto [entry, is_new] = of_colour.try_emplace(stored(tile.colour[0]), rectangles.size());
+      const auto [entry, is_new] = of_colour.try_emplace(texture.pixels[0], rectangles.size());
       rectangle_of.back() = entry->second;
       if (!is_new) continue;
     }
-    rectangles.push_back({tile.full_width(), tile.full_height()});
-    tile_of.push_back(k);
+    rectangles.push_back({texture.width, texture.height});
+    choice_of.push_back(k);
   }
   for (const PageSize& size : pack(rectangles, options.page)) {
     result.pages.emplace_back(size.width, size.height, options.unseen);
   }
   for (std::size_t r = 0; r < rectangles.size(); ++r) {
-    draw(choices[tile_of[r]].tile, rectangles[r], result.pages[rectangles[r].page]);
+    draw(choices[choice_of[r]].texture, rectangles[r], result.pages[rectangles[r].page]);
   }
   for (std::size_t k = 0; k < choices.size(); ++k) {
     const Choice& choice = choices[k];
     const ClipPiece& piece = clipped.pieces[k];
     const PackedRectangle& r = rectangles[rectangle_of[k]];
-    const PieceTexture t{choice.source,     choice.camera,     r.page, r.x + texture_padding, r.y + texture_padding,
-                         choice.tile.width, choice.tile.height};
+    const PieceTexture t{choice.source,
+                         choice.camera,
+                         r.page,
+                         r.x + texture_padding,
+                         r.y + texture_padding,
+                         r.width - 2 * texture_padding,
+                         r.height - 2 * texture_padding};
     result.pieces.push_back(t);
     const PieceFrame frame(scene, clipped, piece);
     for (const glm::dvec2& corner : frame.corner) {
@@ -140,10 +144,9 @@ void lay_out(const Scene& scene, const ClipResult& clipped, const PhotoOptions& 
                                  t.y + along(corner.y, frame.size.y, t.height));
     }
     ++result.stats.pieces[choice.source];
-    if (choice.camera == none) continue;
-    result.stats.direct += choice.tile.direct;
-    result.stats.borrowed += choice.tile.borrowed;
-    result.stats.continued += choice.tile.bare;
+    result.stats.direct += choice.direct;
+    result.stats.borrowed += choice.borrowed;
+    result.stats.continued += choice.continued;
   }
 }
 

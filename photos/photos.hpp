@@ -54,11 +54,11 @@ struct PhotoTextures {
 /// pixels, largest first (nearer and less oblique is larger); the first in whose photograph at least half of the
 /// piece's texels find a usable pixel at their place is taken.
 ///
-/// Laws. 1: a texture holds colours of pixels that the piece's polygon owns in its camera's photograph and of no other,
-/// and means of them. 2: own texels and padding of two pieces do not overlap (pieces of one colour may share a texel).
-/// 3: a piece's corners lie within its own texels, so that a bilinear look-up touches nothing but those and padding.
-/// 4: the same result at any number of threads. Errors: std::invalid_argument where a number is out of range or there
-/// are not as many photographs as cameras named in the result.
+/// Laws. 1: a texture holds colours of pixels that the piece's polygon owns in its camera's photograph, and means of
+/// them, and nothing else. 2: own texels and padding of two pieces do not overlap (pieces of one colour may share a
+/// texel). 3: a piece's corners lie within its own texels, so that a bilinear look-up touches nothing but those and
+/// padding. 4: the same result at any number of threads. Errors: std::invalid_argument where a number is out of range
+/// or there are not as many photographs as cameras named in the result.
 PhotoTextures map_photos(const Scene& scene, const ClipResult& clipped, std::span<const Photograph> photographs,
                          const PhotoOptions& options = {});
 

@@ -88,13 +88,14 @@ bool inside(const TextureRegion& region, const glm::dvec2& low, const glm::dvec2
   bool all_inside = true, apart = least.x >= high.x || most.x <= low.x || least.y >= high.y || most.y <= low.y;
   for (std::size_t k = 0; k < n; ++k) {
     const glm::dvec2 &p = region.points[k], &q = region.points[(k + 1) % n];
-    int within = 0;
+    bool on_left = true, on_right = true;  // or on the side itself
     for (const glm::dvec2& c : {low, glm::dvec2(high.x, low.y), high, glm::dvec2(low.x, high.y)}) {
       const double left = (q.x - p.x) * (c.y - p.y) - (q.y - p.y) * (c.x - p.x);
-      within += (area > 0 ? left : -left) > 0;
+      on_left = on_left && left >= 0;
+      on_right = on_right && left <= 0;
     }
-    all_inside = all_inside && within == 4;
-    apart = apart || within == 0;
+    all_inside = all_inside && (area > 0 ? on_left : on_right);
+    apart = apart || (area > 0 ? on_right : on_left);
   }
   return region.interior ? all_inside : apart;
 }

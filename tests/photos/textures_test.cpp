@@ -78,7 +78,7 @@ TEST(PhotoTextures, WithTheGuardEveryTexelIsItsPolygonsWithoutItSomeAreNot) {
       EXPECT_GT(wrong.looked_at, 5000u);
       EXPECT_EQ(wrong.count, 0u) << "of " << wrong.looked_at << ", by up to " << wrong.largest;
       EXPECT_GT(textures.stats.borrowed, 0u);
-      EXPECT_GT(textures.stats.direct, 5 * textures.stats.borrowed);
+      EXPECT_GT(textures.stats.direct, 2 * textures.stats.borrowed);
     }
     const auto photographs = shots.photographs(160, 120, 0);
     const Wrong wrong = wrong_texels(shots, photographs, textures_of(shots, photographs, 0), 1);
@@ -145,7 +145,7 @@ TEST(PhotoTextures, CamerasAreTriedByTheAreaTheySeeAndByWhatTheyMayUse) {
       }
     }
   };
-  // The wall is the middle 8 of 32 rows (12 to 20) for the near camera, the middle 4 (14 to 18) for the far one.
+  // Of the 32 rows the near camera sees the wall in those from 8 to 24, the far one from 12 to 20.
   expect(texture(32, 32), PieceTexture::best, 1, blue);
   expect(texture(32, 17), PieceTexture::best, 1, blue);
   expect(texture(32, 14), PieceTexture::next, 0, red);
@@ -154,7 +154,7 @@ TEST(PhotoTextures, CamerasAreTriedByTheAreaTheySeeAndByWhatTheyMayUse) {
   EXPECT_EQ(both.pieces[0].source, PieceTexture::uniform);
   const auto mixed = both.pages[0].at(both.pieces[0].x, both.pieces[0].y);
   EXPECT_TRUE(mixed[0] > 0 && mixed[2] > 0 && mixed[0] + mixed[2] == 200 && mixed[1] == 0);
-  expect(texture(13, 9), PieceTexture::uniform, none, red);
+  expect(texture(13, 6), PieceTexture::uniform, none, red);
   expect(texture(5, 5), PieceTexture::unknown, none, {128, 128, 128});
 }
 
@@ -246,7 +246,8 @@ TEST(PhotoTextures, TheLineOfTheDoorFrameIsGoneWithTheGuard) {
   const auto paint = [](PolygonId p, const glm::dvec3&) {
     return p == left || p == right ? glm::dvec3(250, 220, 0) : glm::dvec3(60 + 20.0 * p, 80, 140);
   };
-  const Camera camera = make_camera({0.1, 0.3, 1.6}, {0, 1, 0}, {0, 0, 1}, 60, 4.0 / 3);
+  // The doorway's right side is seen in six tenths of a pixel, whose centre shows the far room.
+  const Camera camera = make_camera({0.088, 0.3, 1.6}, {0, 1, 0}, {0, 0, 1}, 60, 4.0 / 3);
   const Shots shots(make_scene(std::move(soup)), {camera});
   const Camera aside = make_camera({-0.9, 3, 1.5}, {0.5, 1, 0}, {0, 0, 1}, 60, 4.0 / 3);
   const VisibilityMap seen = shots.map(aside);
