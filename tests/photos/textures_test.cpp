@@ -261,10 +261,10 @@ TEST(PhotoTextures, TheLineOfTheDoorFrameIsGoneWithTheGuard) {
     const Image image =
         render(seen, shots.scene, width, height, [&](PolygonId p, const glm::dvec3& x) { return lookup.at(p, x); });
     // Only the stated grey and the far room's own colours belong into pixels that show the far room alone.
-    const PixelOwners owners = pixel_owners(seen, shots.scene, width, height, 1);
+    const PixelOwners owners = pixel_owners(seen, shots.scene, image.width, image.height, 1);
     std::size_t count = 0;
-    for (int j = 0; j < height; ++j) {
-      for (int i = 0; i < width; ++i) {
+    for (int j = 0; j < image.height; ++j) {
+      for (int i = 0; i < image.width; ++i) {
         const PolygonId p = owners.at(i, j);
         if (p == none || p == left || p == right) continue;
         const glm::dvec3 colour = image.colour(i, j), own = paint(p, {});
