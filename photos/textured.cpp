@@ -69,10 +69,11 @@ glm::dvec3 TextureLookup::colour(std::uint32_t page, const glm::dvec2& place) co
 
 namespace {
 
-void append(std::string& out, double value) {
+void append(std::string& out, double value, int digits) {
   char buffer[40];
   // + 0.0: -0 becomes 0.
-  out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value + 0.0, std::chars_format::general, 17).ptr);
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value + 0.0, std::chars_format::general, digits).ptr;
+  out.append(buffer, end);
 }
 
 }  // namespace
@@ -87,7 +88,7 @@ std::string textured_obj(const Scene& scene, const ClipResult& clipped, const Ph
     vertex.push_back(entry->second);
     if (!is_new) continue;
     points += 'v';
-    for (const double x : corner.at) append(points += ' ', x);
+    for (const double x : corner.at) append(points += ' ', x, 17);
     points += '\n';
   }
   PolygonId polygon = none;
@@ -107,8 +108,8 @@ std::string textured_obj(const Scene& scene, const ClipResult& clipped, const Ph
     faces += '\n';
     for (std::uint32_t i = 0; i < piece.corner_count; ++i) {
       const glm::dvec2& place = textures.places[piece.first_corner + i];
-      append(places += "vt ", place.x / image.width);
-      append(places += ' ', 1 - place.y / image.height);
+      append(places += "vt ", place.x / image.width, 9);
+      append(places += ' ', 1 - place.y / image.height, 9);
       places += '\n';
     }
   }

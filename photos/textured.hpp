@@ -28,9 +28,9 @@ class TextureLookup {
   std::vector<std::uint32_t> first_piece_;  // by surface
 };
 
-/// The pieces as an OBJ file: points with 17 significant digits, those with equal coordinates once; face k is piece k,
-/// its corners running as those of its polygon, its group `polygon_P` for the source polygon P, its material that of
-/// its page, `page_0`, `page_1` and so on. `materials` is the name of the MTL file.
+/// The pieces as an OBJ file: points with 17 significant digits, those with equal coordinates once; places in images
+/// with 9; face k is piece k, its corners running as those of its polygon, its group `polygon_P` for the source polygon
+/// P, its material that of its page, `page_0`, `page_1` and so on. `materials` is the name of the MTL file.
 std::string textured_obj(const Scene& scene, const ClipResult& clipped, const PhotoTextures& textures,
                          const std::string& materials);
 /// The MTL file with a material for each image file.

@@ -85,7 +85,7 @@ void draw_doorway(const std::filesystem::path& folder) {
   const Scene scene = two_rooms();
   const auto paint = [&](PolygonId p, const glm::dvec3& x) {
     const glm::dvec3 n = glm::abs(normal_of(scene, p));
-    const double light = 0.72 + 0.28 * n.y - 0.1 * n.x;
+    const double light = 0.86 + 0.14 * n.y;
     const bool far_room = p >= 5 && p < 10;
     if (n.z > 0.5 && x.z < 1) {  // floors
       const bool odd = (static_cast<int>(std::floor(2 * x.x)) + static_cast<int>(std::floor(2 * x.y))) % 2 != 0;
