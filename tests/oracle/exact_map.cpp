@@ -67,31 +67,37 @@ std::string words(PolygonId polygon, const std::vector<PolygonId>& coincident, s
   return out;
 }
 
-ExactMap exact_map(const Scene& scene, const VisibilityMap& map) {
+ExactPlaces exact_places(const Scene& scene, const VisibilityMap& map) {
   const View view(scene, map.camera);
-  ExactMap out;
-  std::vector<Vec> lines;
+  ExactPlaces out;
   for (const MapLine& line : map.lines) {
     const auto& v = line.v;
-    lines.push_back(line.kind == MapLine::window ? View::line_of_window(v[0])
-                    : line.kind == MapLine::edge ? view.line_of_points(v[0], v[1])
-                                                 : view.line_of_planes({v[0], v[1], v[2]}, {v[3], v[4], v[5]}));
+    out.lines.push_back(line.kind == MapLine::window ? View::line_of_window(v[0])
+                        : line.kind == MapLine::edge ? view.line_of_points(v[0], v[1])
+                                                     : view.line_of_planes({v[0], v[1], v[2]}, {v[3], v[4], v[5]}));
   }
-  std::vector<Point> points;
-  std::vector<Vec> rays;
-  for (std::size_t k = 0; k < map.vertices.size(); ++k) {
+  for (const MapVertex& vertex : map.vertices) {
+    const Vec ray = cross(out.lines[vertex.line[0]], out.lines[vertex.line[1]]);
+    if (ray[0] == 0) return out;
+    out.points.push_back({mpq_class(ray[1]) / ray[0] + mpq_class(1, 2), mpq_class(ray[2]) / ray[0] + mpq_class(1, 2)});
+    out.rays.push_back(ray);
+  }
+  return out;
+}
+
+ExactMap exact_map(const Scene& scene, const VisibilityMap& map) {
+  ExactMap out;
+  const auto [lines, rays, points] = exact_places(scene, map);
+  if (points.size() < map.vertices.size()) {
+    out.faults.push_back("vertex " + std::to_string(points.size()) + ": its lines do not meet in the window's plane");
+    return out;
+  }
+  for (std::size_t k = 0; k < points.size(); ++k) {
     const MapVertex& vertex = map.vertices[k];
-    Vec ray = cross(lines[vertex.line[0]], lines[vertex.line[1]]);
-    if (ray[0] == 0) {
-      out.faults.push_back("vertex " + std::to_string(k) + ": its lines do not meet in the window's plane");
-      return out;
-    }
-    const Point p{mpq_class(ray[1]) / ray[0] + mpq_class(1, 2), mpq_class(ray[2]) / ray[0] + mpq_class(1, 2)};
+    const Point& p = points[k];
     if (abs(p.x - mpq_class(vertex.st.x)) > mpq_class(1e-12) || abs(p.y - mpq_class(vertex.st.y)) > mpq_class(1e-12)) {
       out.faults.push_back("vertex " + std::to_string(k) + ": st is not its place " + words(p));
     }
-    points.push_back(p);
-    rays.push_back(ray);
     out.scene_vertex[words(p)] = vertex.scene_vertex;
   }
   if (out.scene_vertex.size() != points.size()) out.faults.push_back("two vertices in one place");

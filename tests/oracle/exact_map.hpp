@@ -37,6 +37,15 @@ ExactMap oracle_map(const Scene& scene, const Camera& camera);
 /// A map of the kernel: its vertices computed again from the names of their lines.
 ExactMap exact_map(const Scene& scene, const VisibilityMap& map);
 
+/// Where the vertices of a map are, computed again from the lines that they are named by: normals of the lines and rays
+/// through the eye, and places in the window. Fewer of them than the map has where one is nowhere in the window's
+/// plane.
+struct ExactPlaces {
+  std::vector<Vec> lines, rays;
+  std::vector<Point> points;
+};
+ExactPlaces exact_places(const Scene& scene, const VisibilityMap& map);
+
 /// In words, for comparison and for messages.
 std::string words(const Point& p);
 std::string words(const ExactEdge& e);
