@@ -21,7 +21,7 @@ TEST(StressEyes, InSmallScenes) {
 
 void in_model(const std::string& name, double degrees, std::uint64_t eyes) {
   const Model model = make_model(name, {.rotate_degrees = degrees});
-  Court court(model.soup, {}, {.oracle = false});
+  Court court(model.soup, {}, {.oracle = false, .verifier = 10});
   Random random(7);
   for (std::uint64_t k = 0; k < eyes; ++k) {
     const auto& v = model.soup.vertices;
@@ -31,9 +31,12 @@ void in_model(const std::string& name, double degrees, std::uint64_t eyes) {
   }
 }
 
-TEST(StressEyes, InRooms) { in_model("rooms", 0, times(30)); }
-TEST(StressEyes, InTurnedRooms) { in_model("rooms", 31, times(15)); }
-TEST(StressEyes, InTheCity) { in_model("city", 0, times(3)); }
+TEST(StressEyes, InRooms) { in_model("rooms", 0, times(50)); }
+TEST(StressEyes, InTurnedRooms) { in_model("rooms", 31, times(50)); }
+TEST(StressEyes, InTheMaze) { in_model("maze", 0, times(50)); }
+TEST(StressEyes, InTheCity) { in_model("city", 0, times(100)); }
+TEST(StressEyes, InATurnedCity) { in_model("city", 31, times(20)); }
+TEST(StressEyes, InTheBuilding) { in_model("building", 0, times(20)); }
 
 }  // namespace
 }  // namespace sightline::stress

@@ -15,7 +15,7 @@ struct Kind {
 class StressFigures : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(StressFigures, FromHardEyes) {
-  for (std::uint64_t seed = 0; seed < times(10); ++seed) {
+  for (std::uint64_t seed = 0; seed < times(7); ++seed) {
     Random random(seed);
     const PolygonSoup soup = GetParam().make(random);
     SceneOptions options;

@@ -16,10 +16,11 @@ using testing::Random;
 /// `usual`, times what SIGHTLINE_STRESS in the environment says (1 to 1,000,000).
 std::uint64_t times(std::uint64_t usual);
 
-/// Who judges beside the verifier, which always does.
+/// Who judges.
 struct Judges {
-  bool complex = true;  // the winged-pair complex is checked, and the engine on it gives the same bytes
-  bool oracle = true;   // brute force over an arrangement: for scenes of a few polygons
+  bool complex = true;    // the winged-pair complex is checked, and the engine on it gives the same bytes
+  bool oracle = true;     // brute force over an arrangement: for scenes of a few polygons
+  unsigned verifier = 1;  // every so many maps: all but the slowest
 };
 
 /// A scene before its judges. What is found wrong fails the running test and is written to the working folder as
