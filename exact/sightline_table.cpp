@@ -1,5 +1,6 @@
 #include "exact/sightline_table.hpp"
 
+#include "exact/leading.hpp"
 #include "exact/plane_row.hpp"
 
 #include <algorithm>
@@ -144,6 +145,13 @@ bool SightlineTable::same_line(SightlineId id, const Normal& n) const {
   if (std::abs(o.y * approx.z - o.z * approx.y) > bound || std::abs(o.z * approx.x - o.x * approx.z) > bound ||
       std::abs(o.x * approx.y - o.y * approx.x) > bound)
     return false;
+  if (bits > leading_bits && line.bits > leading_bits) {
+    // Components below 2^125, within 1: two products, each within 2^126 + 1.
+    const Wide3<4> c = cross<4, 2>(leading(words, bits), leading(other, line.bits));
+    for (const Wide<4>& k : c) {
+      if (clear_sign(k, 128) != uncertain) return false;
+    }
+  }
   return at_width(static_cast<int>(bits + line.bits) + 1, [&](auto width) {
     constexpr int W = width();
     return narrowed<W>(static_cast<int>(bits), static_cast<int>(line.bits), [&]<int N, int M>(Words<N>, Words<M>) {

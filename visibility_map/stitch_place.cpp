@@ -1,4 +1,5 @@
 // Where a vertex is seen, rounded once.
+#include "exact/rounding.hpp"
 #include "visibility_map/stitch_state.hpp"
 #include "visibility_map/stitch_twofold.hpp"
 
@@ -6,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace sightline::stitching {
 namespace {
@@ -167,22 +169,41 @@ std::array<Integer, 3> exact_ray(const State& s, CornerId c) {
   return r;
 }
 
-using Rational3 = std::array<mpq_class, 3>;
-mpq_class det(const Rational3& a, const Rational3& b, const Rational3& c) {
+using Integer3 = std::array<Integer, 3>;
+Integer det(const Integer3& a, const Integer3& b, const Integer3& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
-std::array<mpq_class, 2> exact_st(const State& s, CornerId c) {
-  const auto load = [](const auto& v) { return Rational3{mpq_class(v[0]), mpq_class(v[1]), mpq_class(v[2])}; };
-  const Rational3 x = load(exact_ray(s, c)), f = load(s.camera->forward), r = load(s.camera->right),
-                  up = load(s.camera->up);
-  const mpq_class depth = det(x, r, up);
-  return {mpq_class(det(x, up, f) / depth), mpq_class(det(x, f, r) / depth)};
+
+/// Forward, right and up, times one power of two.
+void find_exact_frame(State& s) {
+  const glm::dvec3* const given[3] = {&s.camera->forward, &s.camera->right, &s.camera->up};
+  int least = std::numeric_limits<int>::max();
+  for (std::size_t k = 0; k < 9; ++k) {
+    const double x = (*given[k / 3])[static_cast<int>(k % 3)];
+    if (x != 0) least = std::min(least, dyadic(x).exponent);
+  }
+  for (std::size_t k = 0; k < 9; ++k) {
+    const Dyadic d = dyadic((*given[k / 3])[static_cast<int>(k % 3)]);
+    s.exact_frame[k / 3][k % 3] = d.mantissa == 0 ? Integer(0) : shifted(Integer(d.mantissa), d.exponent - least);
+  }
+  s.has_exact_frame = true;
+}
+
+/// s - 1/2, t - 1/2 as numerators over a common denominator, which comes last.
+Integer3 exact_st(State& s, CornerId c) {
+  if (!s.has_exact_frame) find_exact_frame(s);
+  const Corner& corner = s.corners[c];
+  const Integer3 a = s.table->normal(corner.low), b = s.table->normal(corner.high);
+  const Integer3 x{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const auto& [forward, right, up] = s.exact_frame;
+  return {det(x, up, forward), det(x, forward, right), det(x, right, up)};
 }
 
 }  // namespace
 
 void set_frame(State& s) {
   const auto largest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  s.has_exact_frame = false;
   const Camera& c = *s.camera;
   const glm::dvec3* const given[3] = {&c.forward, &c.right, &c.up};
   int exponent = 0;
@@ -246,7 +267,7 @@ void place_vertices(State& s) {
   for (VertexDraft& vertex : s.vertices) finish_place(s, vertex);
 }
 
-Sign compare_places(const State& s, CornerId a, CornerId b) {
+Sign compare_places(State& s, CornerId a, CornerId b) {
   if (!s.camera) {
     const std::array<Integer, 3> p = exact_ray(s, a), q = exact_ray(s, b);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -254,8 +275,13 @@ Sign compare_places(const State& s, CornerId a, CornerId b) {
     }
     return 0;
   }
-  const std::array<mpq_class, 2> p = exact_st(s, a), q = exact_st(s, b);
-  return p[0] != q[0] ? (p[0] < q[0] ? -1 : 1) : p[1] != q[1] ? (p[1] < q[1] ? -1 : 1) : 0;
+  const Integer3 p = exact_st(s, a), q = exact_st(s, b);
+  const Sign denominators = sgn(p[2]) * sgn(q[2]);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Integer difference = p[k] * q[2] - q[k] * p[2];
+    if (difference != 0) return sgn(difference) * denominators;
+  }
+  return 0;
 }
 
 }  // namespace sightline::stitching

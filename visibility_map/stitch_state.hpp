@@ -112,10 +112,12 @@ struct State {
   const Window* window = nullptr;
   Sign handedness = 1;
   SightlineRef border[4];
-  glm::dvec3 eye{};       // unit coordinates, each within 2^-52 * scale
-  double scale = 1;       // max(1, largest unit coordinate of the eye)
-  glm::dvec3 ahead{};     // forward, scaled to largest component 1; zero for the sphere
-  glm::dvec3 frame[3];    // forward, right and up, times one power of two: largest component in [1/2, 1)
+  glm::dvec3 eye{};     // unit coordinates, each within 2^-52 * scale
+  double scale = 1;     // max(1, largest unit coordinate of the eye)
+  glm::dvec3 ahead{};   // forward, scaled to largest component 1; zero for the sphere
+  glm::dvec3 frame[3];  // forward, right and up, times one power of two: largest component in [1/2, 1)
+  std::array<std::array<Integer, 3>, 3> exact_frame;  // the same as integers, once they are needed
+  bool has_exact_frame = false;
   double place_error[3];  // of the products that depth, s and t are made of
 
   // Fragments.
@@ -223,7 +225,7 @@ void set_frame(State& s);
 /// numbers: either depends on the ray alone.
 void place_vertices(State& s);
 /// Exact lexicographic order of rays: by (s,t), on the sphere by direction scaled to a primitive integer vector.
-Sign compare_places(const State& s, CornerId a, CornerId b);
+Sign compare_places(State& s, CornerId a, CornerId b);
 
 /// The fragments' corners, and which of them are known to be one ray.
 void take_corners(State& s);
