@@ -42,7 +42,7 @@ int chosen_size(std::size_t surfaces, std::size_t cameras) {
   const double wanted = 8 * std::sqrt(static_cast<double>(surfaces));
   const double most = std::sqrt(0x1p28 / sizeof(float) / static_cast<double>(cameras));
   int size = 64;
-  while (size < wanted && 2 * size <= most && size < 1024) size *= 2;
+  while (size < wanted && 2 * size <= most && size < 512) size *= 2;
   return size;
 }
 

@@ -49,8 +49,8 @@ class CoverBuffer {
 };
 
 /// The number of pixels along a side for a camera in whose window so many surfaces may be seen: a power of two, about
-/// eight pixels to a surface's width, were all of them in view side by side; all cameras' buffers together below
-/// 256 MiB, for as long as a side has 64.
+/// eight pixels to a surface's width, were all of them in view side by side, from 64 to 512 (measured: docs/clip.md);
+/// all cameras' buffers together below 256 MiB, for as long as a side has 64.
 int chosen_size(std::size_t surfaces, std::size_t cameras);
 
 }  // namespace sightline
