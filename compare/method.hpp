@@ -1,0 +1,76 @@
+// The methods that can be set beside the exact map, and how one is asked for by name.
+#pragma once
+
+#include "compare/answer.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sightline::comparison {
+
+/// One view by one method.
+struct Measured {
+  double seconds = 0;  // processor time from the camera to the result in memory
+  Answer answer;
+  std::string why;  // it failed; empty when it did not
+};
+
+/// A way to find out what a camera sees. Made for one scene, which must outlive it; then asked view after view, on one
+/// thread.
+class Method {
+ public:
+  Method() = default;
+  virtual ~Method() = default;
+  Method(const Method&) = delete;
+  Method& operator=(const Method&) = delete;
+
+  /// `usual`: seconds that the exact engine takes; what may take for ever is ended at a multiple of it.
+  virtual Measured view(const Camera& camera, double usual) = 0;
+};
+
+/// A method that is timed here. It looks once for the answer, which also warms buffers and caches, then three times
+/// more for the median; what takes longer than a fifth of a second is timed the first time.
+class TimedMethod : public Method {
+ public:
+  /// What it throws is why it failed.
+  Measured view(const Camera& camera, double usual) final;
+
+ protected:
+  /// Finds out what the camera sees and keeps it: this is what is timed.
+  virtual void look(const Camera& camera) = 0;
+  /// What was seen last.
+  virtual void tell(Answer& answer) = 0;
+};
+
+/// The calling thread's own processor time: on a shared machine the wall clock measures the neighbours as well.
+double thread_seconds();
+
+/// Methods of one kind. Kinds of several settings are named `kind:N`.
+struct Kind {
+  std::string name;
+  bool sized = false;  // has a number N, 1 to 16384
+  /// `size` is 0 for kinds without. Null: left out of this build, for lack of the Debian package named below.
+  std::unique_ptr<Method> (*make)(const Scene& scene, unsigned size) = nullptr;
+  std::string package = {};
+};
+const std::vector<Kind>& kinds();
+
+/// A kind with its setting.
+struct MethodName {
+  std::string text;
+  const Kind* kind;
+  unsigned size;
+};
+/// Names with commas between them. Throws std::invalid_argument, in one line, for a name that there is not, that stands
+/// there twice, or that this build has not.
+std::vector<MethodName> parse_methods(const std::string& list);
+
+// A kind is a file with such a function, and a line in methods.cpp. What they throw is why there is no method.
+std::unique_ptr<Method> make_front_to_back(const Scene& scene, unsigned);
+std::unique_ptr<Method> make_cells(const Scene& scene, unsigned);
+std::unique_ptr<Method> make_double(const Scene& scene, unsigned);
+std::unique_ptr<Method> make_ids(const Scene& scene, unsigned size);
+std::unique_ptr<Method> make_rays(const Scene& scene, unsigned size);
+
+}  // namespace sightline::comparison
