@@ -25,6 +25,7 @@ Prepared prepare(const MethodName& name, const Scene& scene, double& seconds) {
     out.why = error.what();
   }
   seconds = thread_seconds() - start;
+  if (out.method != nullptr) seconds = std::max(seconds, out.method->spent_elsewhere());
   return out;
 }
 

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 
@@ -55,13 +56,15 @@ class Double : public Method {
       throw std::runtime_error(path.string() + ": " + std::generic_category().message(error));
     }
     const std::string why = asked(packed(scene));
-    if (!why.empty()) {
+    if (!why.empty() || reply_.size() != sizeof prepare_seconds_) {
       end();
       throw std::runtime_error(why);
     }
+    std::memcpy(&prepare_seconds_, reply_.data(), sizeof prepare_seconds_);
   }
   ~Double() override { end(); }
 
+  double spent_elsewhere() const override { return prepare_seconds_; }
   Measured view(const Camera& camera, double usual) override {
     const Request request{camera, 2 + 50 * usual};
     Measured out;
@@ -89,6 +92,7 @@ class Double : public Method {
     waitpid(child_, &status, 0);
   }
 
+  double prepare_seconds_ = 0;
   int pipe_ = -1;
   pid_t child_ = 0;
   std::string reply_;

@@ -27,6 +27,8 @@ class Method {
 
   /// `usual`: seconds that the exact engine takes; what may take for ever is ended at a multiple of it.
   virtual Measured view(const Camera& camera, double usual) = 0;
+  /// Processor time that another process spent on preparing the scene.
+  virtual double spent_elsewhere() const { return 0; }
 };
 
 /// A method that is timed here. It looks once for the answer, which also warms buffers and caches, then three times

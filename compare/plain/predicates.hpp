@@ -3,7 +3,8 @@
 
 namespace sightline::comparison {
 
-/// While true the predicates of plain/predicates.cpp are exact, by integers of any length: scenes are read that way.
-extern bool reads_scene;
+/// While true the predicates of plain/predicates.cpp are exact, by integers of any length: until scene and tree are
+/// made.
+extern bool prepares;
 
 }  // namespace sightline::comparison
