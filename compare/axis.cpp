@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace sightline::comparison {
+namespace {
+
+std::string power_of_ten(int e) {
+  if (e < -2 || e > 4) return "1e" + std::to_string(e);
+  const std::string zeros(static_cast<std::size_t>(std::abs(e)), '0');
+  return e >= 0 ? "1" + zeros : "0." + zeros.substr(1) + "1";
+}
+
+}  // namespace
 
 LogAxis::LogAxis(std::span<const double> values, bool with_zero, int least) : start_(with_zero ? 0.12 : 0) {
   double low = 0, high = 0;
@@ -14,7 +23,8 @@ LogAxis::LogAxis(std::span<const double> values, bool with_zero, int least) : st
   }
   if (low == 0) low = high = 1;
   low_ = static_cast<int>(std::floor(std::log10(low)));
-  high_ = std::max(static_cast<int>(std::ceil(std::log10(high))), low_ + least);
+  constexpr double room = 0.3;  // for what is written above the highest
+  high_ = std::max(static_cast<int>(std::ceil(std::log10(high) + room)), low_ + least);
 }
 
 double LogAxis::place(double value) const {
@@ -27,13 +37,7 @@ std::vector<Tick> LogAxis::ticks() const {
   if (start_ > 0) out.push_back({0, "0"});
   const int step = high_ - low_ > 8 ? 2 : 1;
   for (int e = low_; e <= high_; ++e) {
-    const bool named = (e - low_) % step == 0;
-    out.push_back({place(std::pow(10.0, e)),
-                   named
-                       ? (e >= -2 && e <= 3 ? (e >= 0 ? "1" + std::string(static_cast<std::size_t>(e), '0')
-                                                      : "0." + std::string(static_cast<std::size_t>(-e - 1), '0') + "1")
-                                            : "1e" + std::to_string(e))
-                       : ""});
+    out.push_back({place(std::pow(10.0, e)), (e - low_) % step == 0 ? power_of_ten(e) : ""});
   }
   return out;
 }

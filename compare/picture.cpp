@@ -145,7 +145,17 @@ class Painter {
     };
     while (std::ranges::any_of(taken, near)) height -= 12;
     taken.push_back({from, height});
-    text(from, height, words, 0, 11);
+    cairo_move_to(c_, from, height);
+    cairo_text_path(c_, words.c_str());
+    cairo_path_t* const path = cairo_copy_path(c_);
+    cairo_save(c_);
+    use(paper);
+    cairo_set_line_width(c_, 3);
+    cairo_stroke(c_);
+    cairo_restore(c_);
+    cairo_append_path(c_, path);
+    cairo_path_destroy(path);
+    cairo_fill(c_);
   }
 
   cairo_t* c_;

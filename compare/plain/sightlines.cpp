@@ -4,6 +4,7 @@
 #include "exact/sightline_table.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -14,9 +15,11 @@ Sign sign_of_double(double x) { return (x > 0) - (x < 0); }
 
 /// Times a power of two, largest component in [1/2, 1).
 glm::dvec3 scaled(const glm::dvec3& n) {
-  int exponent = 0;
-  std::frexp(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}), &exponent);
-  return {std::ldexp(n.x, -exponent), std::ldexp(n.y, -exponent), std::ldexp(n.z, -exponent)};
+  const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+  const std::uint64_t exponent = std::bit_cast<std::uint64_t>(largest) >> 52;
+  // Coordinates are at most 1/2 and the eye's not much more: else the line is none.
+  if (exponent < 100 || exponent > 1900) return glm::dvec3(0);
+  return n * std::bit_cast<double>((2045 - exponent) << 52);
 }
 
 double value_at(const ApproxPlane& q, const glm::dvec3& p) { return q.n[0] * p.x + q.n[1] * p.y + q.n[2] * p.z - q.d; }
@@ -28,7 +31,7 @@ double value_at(const ApproxPlane& q, const glm::dvec3& p) { return q.n[0] * p.x
 template <>
 SightlineRef SightlineTable::intern_short<double>(const std::array<double, 3>& given) {
   const glm::dvec3 n = scaled({given[0], given[1], given[2]});
-  if (n == glm::dvec3(0) || !std::isfinite(n.x + n.y + n.z)) return {};
+  if (n == glm::dvec3(0)) return {};
   std::uint64_t words[3];
   Normal made{words, 62, {}, n};
   for (int k = 0; k < 3; ++k) {
