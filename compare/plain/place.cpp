@@ -41,7 +41,7 @@ void place_vertices(State& s) {
   }
 }
 
-Sign compare_places(const State& s, CornerId a, CornerId b) {
+Sign compare_places(State& s, CornerId a, CornerId b) {
   const glm::dvec3 &x = s.corners[a].approx, &y = s.corners[b].approx;
   const glm::dvec2 p = s.camera ? place(s, a) : glm::dvec2(x), q = s.camera ? place(s, b) : glm::dvec2(y);
   return p.x != q.x ? (p.x < q.x ? -1 : 1) : p.y != q.y ? (p.y < q.y ? -1 : 1) : 0;
