@@ -17,7 +17,8 @@ struct RoughPlane {
 class BoxTree {
  public:
   explicit BoxTree(const Scene& scene);
-  /// Planes beyond the first 32 are not looked at. Appends, ascending, every surface that has a point inside of all planes, and others near them.
+  /// Planes beyond the first 32 are not looked at. Appends, ascending, every surface that has a point inside of all
+  /// planes, and others near them.
   void find(std::span<const RoughPlane> volume, std::vector<SurfaceId>& found) const;
   std::size_t bytes() const {
     return boxes_.size() * sizeof(boxes_[0]) + order_.size() * sizeof(order_[0]) + nodes_.size() * sizeof(nodes_[0]);

@@ -51,7 +51,7 @@ ClipResult clip(const Scene& scene, std::span<const Camera> cameras, const ClipO
   in_threads(options.threads, [&] {
     std::vector<SurfaceId> in_window;
     for (std::size_t c = next_camera++; c < cameras.size(); c = next_camera++) {
-      find_in_frame(View(scene, cameras[c], static_cast<std::uint32_t>(c), {}), tree, in_window);
+      find_in_frame(ClipView(scene, cameras[c], static_cast<std::uint32_t>(c), {}), tree, in_window);
       const int size = options.buffer > 0 ? options.buffer : chosen_size(in_window.size(), cameras.size());
       drawn[c].emplace(scene, cameras[c], in_window, size);
     }

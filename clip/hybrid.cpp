@@ -13,9 +13,9 @@ namespace sightline {
 struct HybridTracer::State {
   State(const Scene& s, std::shared_ptr<const BoxTree> t, int b) : scene(s), tree(std::move(t)), buffer(b) {}
 
-  void clip(SurfaceId surface, View& view, const CoverBuffer& cover, ShadowFinder& finder);
-  void see(const Outline& outline, SurfaceId surface, View& view, Outlines& outlines, Carver& carver);
-  SightlineRef sightline(const OutlineSide& side, PlaneId plane, View& view, Outlines& outlines);
+  void clip(SurfaceId surface, ClipView& view, const CoverBuffer& cover, ShadowFinder& finder);
+  void see(const Outline& outline, SurfaceId surface, ClipView& view, Outlines& outlines, Carver& carver);
+  SightlineRef sightline(const OutlineSide& side, PlaneId plane, ClipView& view, Outlines& outlines);
 
   const Scene& scene;
   std::shared_ptr<const BoxTree> tree;
@@ -33,7 +33,8 @@ struct HybridTracer::State {
 };
 
 /// The plane through the eye and a side, its front where the outline lies.
-SightlineRef HybridTracer::State::sightline(const OutlineSide& side, PlaneId plane, View& view, Outlines& outlines) {
+SightlineRef HybridTracer::State::sightline(const OutlineSide& side, PlaneId plane, ClipView& view,
+                                            Outlines& outlines) {
   if (of_line.size() <= side.line.id) of_line.resize(outlines.lines().size());
   SightlineRef& known = of_line[side.line.id];
   if (known.id == none) {
@@ -50,7 +51,7 @@ SightlineRef HybridTracer::State::sightline(const OutlineSide& side, PlaneId pla
   return {known.id, known.sign * side.line.sign};
 }
 
-void HybridTracer::State::see(const Outline& outline, SurfaceId surface, View& view, Outlines& outlines,
+void HybridTracer::State::see(const Outline& outline, SurfaceId surface, ClipView& view, Outlines& outlines,
                               Carver& carver) {
   const PlaneId plane = scene.surfaces()[surface].plane;
   lines.clear();
@@ -65,7 +66,7 @@ void HybridTracer::State::see(const Outline& outline, SurfaceId surface, View& v
   fragments.add_convex(lines, on);
 }
 
-void HybridTracer::State::clip(SurfaceId surface, View& view, const CoverBuffer& cover, ShadowFinder& finder) {
+void HybridTracer::State::clip(SurfaceId surface, ClipView& view, const CoverBuffer& cover, ShadowFinder& finder) {
   const Surface& s = scene.surfaces()[surface];
   if (!view.faces(s)) return;
   Outlines outlines(scene, surface);
@@ -93,7 +94,7 @@ std::size_t HybridTracer::bytes() const { return state_->tree->bytes(); }
 void HybridTracer::trace(const Camera& camera, VisibilityMap& map, HybridStats* stats) {
   State& s = *state_;
   const auto start = std::chrono::steady_clock::now();
-  View view(s.scene, camera, 0, {});
+  ClipView view(s.scene, camera, 0, {});
   find_in_frame(view, *s.tree, s.in_window);
   const CoverBuffer cover(s.scene, camera, s.in_window, s.buffer > 0 ? s.buffer : chosen_size(s.in_window.size(), 1));
   ShadowFinder finder(s.scene, *s.tree);

@@ -50,7 +50,7 @@ std::vector<CountPicture> count_pictures(const Scene& scene, std::span<const Cam
       if (!std::binary_search(seen_by.begin(), seen_by.end(), cameras.size() + v)) continue;
       const auto own = std::lower_bound(seen_by.begin(), seen_by.end(), cameras.size());
       const auto count = static_cast<std::uint32_t>(own - seen_by.begin());
-      Patch patch{{}, count_colour(count, drawing.light(piece.polygon)), count};
+      DrawnPatch patch{{}, count_colour(count, drawing.light(piece.polygon)), count};
       for (std::uint32_t k = 0; k < piece.corner_count; ++k)
         patch.st.push_back(place(views[v], result.corners[piece.first_corner + k].at));
       picture.patches.push_back(std::move(patch));

@@ -8,8 +8,8 @@ namespace sightline {
 
 /// What one view shows.
 struct CountPicture {
-  VisibilityMap map;           // the view's own: its edges are drawn
-  std::vector<Patch> patches;  // tile what is seen of polygons; `what` is the number of cameras
+  VisibilityMap map;                // the view's own: its edges are drawn
+  std::vector<DrawnPatch> patches;  // tile what is seen of polygons; `what` is the number of cameras
 };
 
 /// The pieces of clip() as each of the views sees them: they are cut by these too, so that patches do not overlap.

@@ -30,14 +30,14 @@ RoughPlane as_plane(const SightlineTable& table, SightlineRef line) {
   return {n, glm::dot(n, e), 0x1p-47 * (reach + 1)};
 }
 
-void find_in_frame(const View& view, const BoxTree& tree, std::vector<SurfaceId>& found) {
+void find_in_frame(const ClipView& view, const BoxTree& tree, std::vector<SurfaceId>& found) {
   std::vector<RoughPlane> volume;
   for (const NamedLine& side : view.frame()) volume.push_back(as_plane(view.table(), side.line));
   found.clear();
   tree.find(volume, found);
 }
 
-ShadowFinder::Outcome ShadowFinder::find(SurfaceId surface, View& view, Outlines& outlines,
+ShadowFinder::Outcome ShadowFinder::find(SurfaceId surface, ClipView& view, Outlines& outlines,
                                          std::vector<OutlineSide>& frame, std::vector<Shadow>& shadows) {
   frame.clear();
   shadows.clear();
@@ -95,7 +95,7 @@ ShadowFinder::Outcome ShadowFinder::find(SurfaceId surface, View& view, Outlines
   return seen;
 }
 
-void ShadowFinder::find_coplanar(View& view, Outlines& outlines, std::vector<Coplanar>& coplanar) {
+void ShadowFinder::find_coplanar(ClipView& view, Outlines& outlines, std::vector<Coplanar>& coplanar) {
   coplanar.clear();
   for (const SurfaceId id : found_) {
     const Surface& other = scene_.surfaces()[id];
@@ -107,7 +107,7 @@ void ShadowFinder::find_coplanar(View& view, Outlines& outlines, std::vector<Cop
 }
 
 /// Exact, where it says no. Corners of both are scene points nearly always; where one is not, the cuts will tell.
-bool ShadowFinder::may_hide(const Surface& other, SurfaceId other_id, View& view) {
+bool ShadowFinder::may_hide(const Surface& other, SurfaceId other_id, ClipView& view) {
   const Surface& s = scene_.surfaces()[surface_];
   if (!view.faces(other)) return false;
   SightlineTable& table = view.table();
@@ -126,7 +126,7 @@ bool ShadowFinder::may_hide(const Surface& other, SurfaceId other_id, View& view
 }
 
 /// Of the other surface, whose corners are at hand: are they seen apart from ours, as one of the edges tells?
-bool ShadowFinder::may_meet(const Surface& other, View& view) {
+bool ShadowFinder::may_meet(const Surface& other, ClipView& view) {
   SightlineTable& table = view.table();
   const auto inside_of = [&](SightlineRef line) {
     return [&table, line](PointId p) { return table.side(line, p) > 0; };
@@ -162,7 +162,7 @@ bool ShadowFinder::add_line(Shadow& shadow, const PlaneLines::Cut& cut, const Cl
 }
 
 /// False: it hides nothing.
-bool ShadowFinder::make(SurfaceId other, View& view, Outlines& outlines, Shadow& shadow) const {
+bool ShadowFinder::make(SurfaceId other, ClipView& view, Outlines& outlines, Shadow& shadow) const {
   const Surface &s = scene_.surfaces()[surface_], &o = scene_.surfaces()[other];
   SightlineTable& table = view.table();
   PlaneLines& lines = outlines.lines();

@@ -24,7 +24,7 @@ struct Shadow {
 RoughPlane as_plane(const SightlineTable& table, SightlineRef line);
 
 /// Ascending, every surface that reaches into what the camera sees, and others near it.
-void find_in_frame(const View& view, const BoxTree& tree, std::vector<SurfaceId>& found);
+void find_in_frame(const ClipView& view, const BoxTree& tree, std::vector<SurfaceId>& found);
 
 /// A surface in the plane of another, and where it lies there.
 struct Coplanar {
@@ -40,18 +40,18 @@ class ShadowFinder {
   enum Outcome { unseen, seen };
   /// `unseen`: all of the surface lies outside of the frame, or behind, or edge-on. Otherwise all that may hide a part
   /// of its inside, and the lines of the frame that it is not wholly inside of.
-  Outcome find(SurfaceId surface, View& view, Outlines& outlines, std::vector<OutlineSide>& frame,
+  Outcome find(SurfaceId surface, ClipView& view, Outlines& outlines, std::vector<OutlineSide>& frame,
                std::vector<Shadow>& shadows);
   /// For the surface that find() has just looked at: those of higher index that face the camera in its plane and may
   /// have a part of its inside in common. They are not seen where it is, but coincide with it.
-  void find_coplanar(View& view, Outlines& outlines, std::vector<Coplanar>& coplanar);
+  void find_coplanar(ClipView& view, Outlines& outlines, std::vector<Coplanar>& coplanar);
 
  private:
-  bool may_hide(const Surface& other, SurfaceId other_id, View& view);
-  bool may_meet(const Surface& other, View& view);
+  bool may_hide(const Surface& other, SurfaceId other_id, ClipView& view);
+  bool may_meet(const Surface& other, ClipView& view);
   bool add_line(Shadow& shadow, const PlaneLines::Cut& cut, const ClipSide& name, const glm::dvec3& rough,
                 Outlines& outlines) const;
-  bool make(SurfaceId other, View& view, Outlines& outlines, Shadow& shadow) const;
+  bool make(SurfaceId other, ClipView& view, Outlines& outlines, Shadow& shadow) const;
   glm::dvec3 rough(const glm::dvec3& normal, double offset, const Outlines& outlines) const;
 
   const Scene& scene_;

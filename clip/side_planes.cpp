@@ -32,7 +32,7 @@ ExactRow SidePlanes::plane(PlaneId p) const {
 }
 
 /// n.x = n.eye, where the eye has steps of 2^-shift.
-ExactRow SidePlanes::through_eye(const View& view, SightlineRef line) const {
+ExactRow SidePlanes::through_eye(const ClipView& view, SightlineRef line) const {
   ExactRow row{view.table().normal(line.id), 0};
   const GridPoint& eye = view.table().eye();
   row.d = dot(row.n, eye.c);
@@ -54,12 +54,12 @@ ExactRow SidePlanes::side(const ClipSide& side, SurfaceId surface) {
       return row;
     }
     case ClipSide::wedge: {
-      View& view = views_[side.camera];
+      ClipView& view = views_[side.camera];
       return through_eye(view, view.table().of_points(side.a, side.b));
     }
     case ClipSide::window:
     case ClipSide::region: {
-      const View& view = views_[side.camera];
+      const ClipView& view = views_[side.camera];
       return through_eye(view, view.named(side));
     }
     case ClipSide::intersection:

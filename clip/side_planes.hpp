@@ -29,10 +29,10 @@ class SidePlanes {
 
  private:
   ExactRow plane(PlaneId p) const;
-  ExactRow through_eye(const View& view, SightlineRef line) const;
+  ExactRow through_eye(const ClipView& view, SightlineRef line) const;
 
   const Scene& scene_;
-  std::deque<View> views_;
+  std::deque<ClipView> views_;
 };
 
 }  // namespace sightline

@@ -16,7 +16,7 @@ double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v
 
 }  // namespace
 
-void Sky::fill(View& view, std::span<const SurfaceId> surfaces, Fragments& fragments) {
+void Sky::fill(ClipView& view, std::span<const SurfaceId> surfaces, Fragments& fragments) {
   view_ = &view;
   fragments_ = &fragments;
   const Camera& c = view.camera();

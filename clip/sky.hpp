@@ -13,7 +13,7 @@ namespace sightline {
 class Sky {
  public:
   /// Appends those parts to the fragments, convex each. All surfaces must face the camera.
-  void fill(View& view, std::span<const SurfaceId> surfaces, Fragments& fragments);
+  void fill(ClipView& view, std::span<const SurfaceId> surfaces, Fragments& fragments);
 
  private:
   /// Sides counter-clockwise as the eye sees them, inwards.
@@ -32,7 +32,7 @@ class Sky {
   int sides(const Region& region, SightlineRef line);
   void split(const Region& region, SightlineRef line, Region& front, Region& behind) const;
 
-  View* view_ = nullptr;
+  ClipView* view_ = nullptr;
   Fragments* fragments_ = nullptr;
   glm::dvec3 frame_[3];  // normals: their products with a ray are as (s - 1/2) : (t - 1/2) : 1
   std::vector<Cone> cones_;

@@ -52,7 +52,7 @@ class SurfaceClipper {
 
   const Scene& scene_;
   std::span<const CoverBuffer> buffers_;
-  std::deque<View> views_;
+  std::deque<ClipView> views_;
   ShadowFinder finder_;
   bool sampling_;
   double threshold_;  // in unit coordinates

@@ -53,7 +53,8 @@ Sign direction(std::span<const glm::dvec2> p) {
 
 void check_region(const TextureRegion& region) { direction(region.points); }
 
-View::View(const Scene& scene, const Camera& camera, std::uint32_t index, std::span<const TextureRegion> regions)
+ClipView::ClipView(const Scene& scene, const Camera& camera, std::uint32_t index,
+                   std::span<const TextureRegion> regions)
     : scene_(scene),
       camera_(camera),
       index_(index),
@@ -73,7 +74,7 @@ View::View(const Scene& scene, const Camera& camera, std::uint32_t index, std::s
   }
 }
 
-SightlineRef View::named(const ClipSide& side) const {
+SightlineRef ClipView::named(const ClipSide& side) const {
   const auto in = [&](std::span<const NamedLine> lines) {
     const auto found = std::find_if(lines.begin(), lines.end(), [&](const NamedLine& l) { return l.name == side; });
     return found == lines.end() ? SightlineRef{} : found->line;
@@ -83,7 +84,7 @@ SightlineRef View::named(const ClipSide& side) const {
   return line;
 }
 
-std::vector<NamedLine> View::sides_of(const TextureRegion& region, std::uint32_t index) {
+std::vector<NamedLine> ClipView::sides_of(const TextureRegion& region, std::uint32_t index) {
   const Sign turning = direction(region.points);
   std::vector<NamedLine> sides;
   const std::size_t n = region.points.size();

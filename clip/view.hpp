@@ -16,9 +16,9 @@ struct NamedLine {
 void check_region(const TextureRegion& region);
 
 /// Not for two threads at once: sightlines are made on demand.
-class View {
+class ClipView {
  public:
-  View(const Scene& scene, const Camera& camera, std::uint32_t index, std::span<const TextureRegion> regions);
+  ClipView(const Scene& scene, const Camera& camera, std::uint32_t index, std::span<const TextureRegion> regions);
 
   /// Can the camera see this side of the surface, and does its plane miss the eye?
   bool faces(const Surface& s) {

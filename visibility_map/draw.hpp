@@ -20,7 +20,7 @@ struct Stroke {
 };
 
 /// A flat part of a drawing: its outline in the window, and how it is filled. In SVG, `what` is its data-cameras.
-struct Patch {
+struct DrawnPatch {
   std::vector<glm::dvec2> st;
   Colour colour;
   std::uint32_t what;
@@ -61,11 +61,11 @@ Colour oklch(double lightness, double chroma, double hue);
 
 /// Draws a map with its frame at (0,0) of the context's user space; patches, if there are any, in place of the faces.
 void paint_map(cairo_t* context, const VisibilityMap& map, const Scene& scene, const DrawOptions& options,
-               std::span<const Patch> patches = {});
+               std::span<const DrawnPatch> patches = {});
 /// As map_svg and write_map_png, patches in place of the faces.
-std::string patches_svg(std::span<const Patch> patches, const VisibilityMap& map, const Scene& scene,
+std::string patches_svg(std::span<const DrawnPatch> patches, const VisibilityMap& map, const Scene& scene,
                         const DrawOptions& options);
-void write_patches_png(const std::filesystem::path& file, std::span<const Patch> patches, const VisibilityMap& map,
+void write_patches_png(const std::filesystem::path& file, std::span<const DrawnPatch> patches, const VisibilityMap& map,
                        const Scene& scene, const DrawOptions& options);
 
 }  // namespace sightline

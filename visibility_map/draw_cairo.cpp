@@ -39,7 +39,7 @@ void set_colour(cairo_t* context, Colour c, double opacity = 1) {
 }
 
 void paint(cairo_surface_t* surface, const VisibilityMap& map, const Scene& scene, const DrawOptions& options,
-           std::span<const Patch> patches = {}) {
+           std::span<const DrawnPatch> patches = {}) {
   const std::unique_ptr<cairo_t, Release> context(cairo_create(surface));
   paint_map(context.get(), map, scene, options, patches);
   check(cairo_status(context.get()));
@@ -48,7 +48,7 @@ void paint(cairo_surface_t* surface, const VisibilityMap& map, const Scene& scen
 }  // namespace
 
 void paint_map(cairo_t* context, const VisibilityMap& map, const Scene& scene, const DrawOptions& options,
-               std::span<const Patch> patches) {
+               std::span<const DrawnPatch> patches) {
   const Drawing drawing(map, scene, options);
   cairo_save(context);
   cairo_rectangle(context, 0, 0, drawing.width(), drawing.height());
@@ -69,7 +69,7 @@ void paint_map(cairo_t* context, const VisibilityMap& map, const Scene& scene, c
     cairo_set_line_width(context, Drawing::seal);
     cairo_stroke(context);
   };
-  for (const Patch& patch : patches) {
+  for (const DrawnPatch& patch : patches) {
     cairo_new_path(context);
     for (const glm::dvec2& st : patch.st) {
       const glm::dvec2 place = drawing.place(st);
@@ -113,7 +113,7 @@ void write_map_png(const std::filesystem::path& file, const VisibilityMap& map, 
   write_patches_png(file, {}, map, scene, options);
 }
 
-void write_patches_png(const std::filesystem::path& file, std::span<const Patch> patches, const VisibilityMap& map,
+void write_patches_png(const std::filesystem::path& file, std::span<const DrawnPatch> patches, const VisibilityMap& map,
                        const Scene& scene, const DrawOptions& options) {
   const Drawing drawing(map, scene, options);
   const Canvas surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, drawing.width(), drawing.height()));

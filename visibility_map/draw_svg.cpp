@@ -74,7 +74,7 @@ void append_face(std::string& out, const VisibilityMap& map, const MapFace& face
   out += "\"/>\n";
 }
 
-void append_patch(std::string& out, const Patch& patch, const Drawing& drawing) {
+void append_patch(std::string& out, const DrawnPatch& patch, const Drawing& drawing) {
   out += "<path class=\"face\" data-cameras=\"";
   text::append(out, patch.what);
   out += "\" fill=\"";
@@ -104,7 +104,7 @@ void append_edge(std::string& out, const VisibilityMap& map, const MapEdge& edge
 }
 
 std::string drawing_svg(const VisibilityMap& map, const Scene& scene, const DrawOptions& options,
-                        std::span<const Patch> patches) {
+                        std::span<const DrawnPatch> patches) {
   const Drawing drawing(map, scene, options);
   const std::string width = std::to_string(drawing.width()), height = std::to_string(drawing.height());
   std::string out;
@@ -121,7 +121,7 @@ std::string drawing_svg(const VisibilityMap& map, const Scene& scene, const Draw
   if (patches.empty()) {
     for (const MapFace& face : map.faces) append_face(out, map, face, drawing);
   } else {
-    for (const Patch& patch : patches) append_patch(out, patch, drawing);
+    for (const DrawnPatch& patch : patches) append_patch(out, patch, drawing);
   }
   out += "</g>\n<g class=\"edges\">\n";
   for (const EdgeKind kind : thin_to_heavy) {
@@ -144,7 +144,7 @@ std::string map_svg(const VisibilityMap& map, const Scene& scene, const DrawOpti
   return drawing_svg(map, scene, options, {});
 }
 
-std::string patches_svg(std::span<const Patch> patches, const VisibilityMap& map, const Scene& scene,
+std::string patches_svg(std::span<const DrawnPatch> patches, const VisibilityMap& map, const Scene& scene,
                         const DrawOptions& options) {
   return drawing_svg(map, scene, options, patches);
 }

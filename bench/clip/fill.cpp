@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
       for (std::size_t k = 0; k < all.size(); k += step, ++count) {
         const double before = cpu_seconds();
         if (!no_buffer) {
-          find_in_frame(View(scene, all[k], 0, {}), boxes, surfaces);
+          find_in_frame(ClipView(scene, all[k], 0, {}), boxes, surfaces);
           CoverBuffer(scene, all[k], surfaces, size);
         }
         const double middle = cpu_seconds();

@@ -32,6 +32,8 @@ expect("include without a folder" scene/bad.cpp "#include \"scene.hpp\"\n" "name
 expect("include of nothing" scene/bad.cpp "#include \"exact/gone.hpp\"\n" "does not exist")
 expect("public header that does not exist" sightline.hpp "#include \"exact/gone.hpp\"\n" "does not exist")
 expect("link against the order" models/CMakeLists.txt "sightline_folder(models USES scene beam)\n" "must not link beam")
+expect("one name for two types" scene/bad.hpp "\nclass Same {\n}\;\nstruct Same : Other {\n}\;\n"
+       "Same is the name of a type in scene/bad.hpp")
 expect("long public header" exact/types.hpp "${page}" "a public header of 151 lines")
 expect("long source" beam/long.cpp "${book}" "401 lines")
 string(TOUPPER "tod" half)
