@@ -13,7 +13,7 @@ PhotoFrame::PhotoFrame(const Scene& scene, const Camera& camera, int width, int 
     for (int k = 0; k < 3; ++k) eye_[k] = grid.world(snapped.c[static_cast<std::size_t>(k)], k);
   }
   unit_eye_ = grid.unit(eye_);
-  unit_per_world_ = std::ldexp(1 / grid.step(), -grid.unit_bits());
+  unit_per_world_ = 1 / std::ldexp(grid.step(), grid.unit_bits());  // a step may be the smallest of doubles
   const double determinant = glm::dot(camera.forward, glm::cross(camera.right, camera.up));
   inverse_[0] = glm::cross(camera.right, camera.up) / determinant;
   inverse_[1] = glm::cross(camera.up, camera.forward) / determinant;
