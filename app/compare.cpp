@@ -35,7 +35,6 @@ int compare_methods(CompareCommand& command) {
   const std::vector<comparison::MethodName> methods = named(command.methods);
   const Stopwatch watch;
   const std::vector<Camera> cameras = read_cameras(command.cameras);
-  if (cameras.empty()) throw InputError(command.cameras.string() + ": no camera in it");
   const Input input = read_input(command.input, command.common);
   make_folder(command.folder);
   tell(describe(input.scene), command.common.quiet);

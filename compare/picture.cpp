@@ -56,6 +56,14 @@ struct Point {
   double seconds, error;
 };
 
+/// A place that something has been drawn at.
+struct Box {
+  double left, top, width, height;
+  bool meets(const Box& o) const {
+    return left < o.left + o.width && o.left < left + width && top < o.top + o.height && o.top < top + height;
+  }
+};
+
 class Painter {
  public:
   explicit Painter(cairo_t* context) : c_(context) {
@@ -100,27 +108,28 @@ class Painter {
     text(left, top - 16, title, 0, 13);
     text(x(0.5), y(0) + 40, "milliseconds a view (median, one thread)", 0.5, 12);
 
-    std::vector<std::string> kinds;
-    for (const Point& p : points) {
-      if (std::ranges::find(kinds, p.kind) == kinds.end()) kinds.push_back(p.kind);
-    }
-    std::vector<std::array<double, 2>> labels;
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
+    std::vector<Box> taken;
+    for (std::size_t k = 0; k < kinds().size(); ++k) {
       const Colour colour = colours[k % colours.size()];
       use(colour);
       cairo_set_line_width(c_, 1.5);
       cairo_new_path(c_);
       for (const Point& p : points) {
-        if (p.kind == kinds[k]) cairo_line_to(c_, x(across.place(p.seconds * 1e3)), y(upwards.place(p.error)));
+        if (p.kind == kinds()[k].name) cairo_line_to(c_, x(across.place(p.seconds * 1e3)), y(upwards.place(p.error)));
       }
       cairo_stroke(c_);
       for (const Point& p : points) {
-        if (p.kind != kinds[k]) continue;
+        if (p.kind != kinds()[k].name) continue;
         const double at = x(across.place(p.seconds * 1e3)), height = y(upwards.place(p.error));
         cairo_arc(c_, at, height, 4.5, 0, 2 * std::acos(-1.0));
         cairo_fill(c_);
-        label(at, height, p.label, x(1), labels);
+        taken.push_back({at - 5, height - 5, 10, 10});
       }
+    }
+    for (const Point& p : points) {
+      const auto kind = std::ranges::find(kinds(), p.kind, &Kind::name) - kinds().begin();
+      use(colours[static_cast<std::size_t>(kind) % colours.size()]);
+      label(x(across.place(p.seconds * 1e3)), y(upwards.place(p.error)), p.label, x(1), taken);
     }
   }
 
@@ -132,20 +141,19 @@ class Painter {
     cairo_line_to(c_, x1, y1);
     cairo_stroke(c_);
   }
-  /// Beside its point, on the side where there is room, and above what has been written there before.
-  void label(double x, double y, const std::string& words, double right, std::vector<std::array<double, 2>>& taken) {
+  /// Beside its point, on the side where there is room, above or below what is there already.
+  void label(double x, double y, const std::string& words, double right, std::vector<Box>& taken) {
     cairo_set_font_size(c_, 11);
     cairo_text_extents_t extents;
     cairo_text_extents(c_, words.c_str(), &extents);
-    const bool leftwards = x + 8 + extents.x_advance > right + 40;
-    const double from = leftwards ? x - 8 - extents.x_advance : x + 8;
-    double height = y - 6;
-    const auto near = [&](const std::array<double, 2>& t) {
-      return std::abs(t[1] - height) < 12 && std::abs(t[0] - from) < 60;
-    };
-    while (std::ranges::any_of(taken, near)) height -= 12;
-    taken.push_back({from, height});
-    cairo_move_to(c_, from, height);
+    const double width = extents.x_advance, from = x + 8 + width > right + 40 ? x - 8 - width : x + 8;
+    Box box{from, 0, width, 10};
+    for (const double move : {-6, 15, -18, 27, -30, 39, -42}) {
+      box.top = y + move - 9;
+      if (std::ranges::none_of(taken, [&](const Box& t) { return t.meets(box); })) break;
+    }
+    taken.push_back(box);
+    cairo_move_to(c_, from, box.top + 9);
     cairo_text_path(c_, words.c_str());
     cairo_path_t* const path = cairo_copy_path(c_);
     cairo_save(c_);

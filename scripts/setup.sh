@@ -8,13 +8,14 @@ packages=(
   libglm-dev libgmp-dev libcairo2-dev libpng-dev  # the library: vectors, integers, pictures
   libtbb-dev                            # and threads
   libcli11-dev                          # the command: options
+  libembree-dev                         # and rays to compare with (it builds without)
   nlohmann-json3-dev libeigen3-dev
   libcgal-dev                           # the slow, independent way to the same answers: tests and sightline-verify
   libgtest-dev librapidcheck-dev libbenchmark-dev
   valgrind                              # counts instructions: tests/instructions
 )
 peers=(
-  libembree-dev libgl2ps-dev
+  libgl2ps-dev
   libocct-modeling-algorithms-dev libocct-visualization-dev
   zlib1g-dev gnuplot-nox                # zipped scenes, pictures
 )

@@ -81,7 +81,7 @@ TEST(CompareCommand, RefusesWhatItCannotDo) {
   const Ended engine = run(folder, {"trace", "m.obj", "--cameras", "c.cameras", "-o", "x", "--engine", "double"});
   EXPECT_EQ(engine.code, 2);  // never for maps
   write(folder / "c.cameras", "# none\n");
-  expect(3, "cells", "no camera in it");
+  expect(3, "cells", "holds no camera");
 }
 
 }  // namespace

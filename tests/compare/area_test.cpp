@@ -34,7 +34,7 @@ Drawing halves(const glm::dvec2& from, const glm::dvec2& to, std::vector<glm::dv
   d.corners = {from, to};
   d.edges = {{0, 1, 0, 1}};
   std::uint32_t face = 0;
-  for (auto* corners : {&left, &right}) {  // from the line's end round to its start
+  for (auto* corners : {&left, &right}) {  // counter-clockwise from the line's one end to its other
     std::vector<std::uint32_t> loop{face == 0 ? 1u : 0u};
     for (const glm::dvec2& c : *corners) {
       loop.push_back(static_cast<std::uint32_t>(d.corners.size()));
@@ -60,7 +60,7 @@ TEST(Areas, OfCrossingDiagonals) {
 
 TEST(Areas, OfPixelsCutByALine) {
   // s = t / 2 + 1/8: of the pixels of a quarter.
-  const Drawing line = halves({0.125, 0}, {0.625, 1}, {{0, 1}, {0, 0}}, {{1, 1}, {1, 0}}, 1, 2);
+  const Drawing line = halves({0.125, 0}, {0.625, 1}, {{0, 1}, {0, 0}}, {{1, 0}, {1, 1}}, 1, 2);
   Pixels pixels{4, std::vector<PolygonId>(16, 1)};
   double sum = 0;
   for (const auto& [key, area] : parts(line, pixels)) {

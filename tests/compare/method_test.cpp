@@ -83,7 +83,7 @@ TEST(ImageSpaceMethods, SeeWhatLiesInTheMiddleOfPixels) {
 }
 
 TEST(ImageSpaceMethods, ClosePlanesAndTheEyeAmongPolygons) {
-  for (const char* name : {"maze", "building"}) {
+  for (const char* name : {"maze", "rooms"}) {
     const Views views(name, {.rotate_degrees = 29}, 4);
     for (const Kind& kind : kinds()) {
       if (!kind.sized || kind.make == nullptr) continue;
