@@ -2,6 +2,7 @@
 #include "beam/trace.hpp"
 #include "bsp/build.hpp"
 #include "bsp/tree.hpp"
+#include "clip/hybrid.hpp"
 #include "compare/method.hpp"
 
 #include <optional>
@@ -9,9 +10,11 @@
 namespace sightline::comparison {
 namespace {
 
+/// T: a Tracer or a HybridTracer.
+template <class T>
 class Engine : public TimedMethod {
  protected:
-  std::optional<Tracer> tracer_;
+  std::optional<T> tracer_;
 
  private:
   void look(const Camera& camera) override { tracer_->trace(camera, map_); }
@@ -26,7 +29,7 @@ class Engine : public TimedMethod {
   VisibilityMap map_;
 };
 
-class FrontToBack : public Engine {
+class FrontToBack : public Engine<Tracer> {
  public:
   explicit FrontToBack(const Scene& scene) : tree_(scene) { tracer_.emplace(tree_); }
 
@@ -34,12 +37,17 @@ class FrontToBack : public Engine {
   BspTree tree_;
 };
 
-class Cells : public Engine {
+class Cells : public Engine<Tracer> {
  public:
   explicit Cells(const Scene& scene) : complex_(build(scene)) { tracer_.emplace(scene, complex_); }
 
  private:
   Complex complex_;
+};
+
+class Hybrid : public Engine<HybridTracer> {
+ public:
+  explicit Hybrid(const Scene& scene) { tracer_.emplace(scene); }
 };
 
 }  // namespace
@@ -48,5 +56,6 @@ std::unique_ptr<Method> make_front_to_back(const Scene& scene, unsigned) {
   return std::make_unique<FrontToBack>(scene);
 }
 std::unique_ptr<Method> make_cells(const Scene& scene, unsigned) { return std::make_unique<Cells>(scene); }
+std::unique_ptr<Method> make_hybrid(const Scene& scene, unsigned) { return std::make_unique<Hybrid>(scene); }
 
 }  // namespace sightline::comparison

@@ -71,6 +71,7 @@ std::vector<MethodName> parse_methods(const std::string& list);
 // A kind is a file with such a function, and a line in methods.cpp. What they throw is why there is no method.
 std::unique_ptr<Method> make_front_to_back(const Scene& scene, unsigned);
 std::unique_ptr<Method> make_cells(const Scene& scene, unsigned);
+std::unique_ptr<Method> make_hybrid(const Scene& scene, unsigned);
 std::unique_ptr<Method> make_double(const Scene& scene, unsigned);
 std::unique_ptr<Method> make_ids(const Scene& scene, unsigned size);
 std::unique_ptr<Method> make_rays(const Scene& scene, unsigned size);

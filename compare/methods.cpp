@@ -15,8 +15,12 @@ const std::vector<Kind>& kinds() {
   constexpr std::unique_ptr<Method> (*rays)(const Scene&, unsigned) = nullptr;
 #endif
   static const std::vector<Kind> all{
-      {"front-to-back", false, make_front_to_back}, {"cells", false, make_cells}, {"double", false, make_double},
-      {"rays", true, rays, "libembree-dev"},        {"ids", true, make_ids},
+      {"front-to-back", false, make_front_to_back},
+      {"cells", false, make_cells},
+      {"hybrid", false, make_hybrid},
+      {"double", false, make_double},
+      {"rays", true, rays, "libembree-dev"},
+      {"ids", true, make_ids},
   };
   return all;
 }

@@ -25,21 +25,21 @@ Ended compare(const std::filesystem::path& folder, const std::string& methods, s
 
 TEST(CompareCommand, WritesTableJsonLinesAndPictures) {
   const auto folder = folder_with_model("compare_all");
-  const Ended ended = compare(folder, "front-to-back,cells,ids:32,ids:64");
+  const Ended ended = compare(folder, "front-to-back,cells,hybrid,ids:32,ids:64");
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_NE(ended.out.find("ids:64"), std::string::npos);
   const auto json = nlohmann::json::parse(read(folder / "out/compare.json"));
   EXPECT_EQ(json["cameras"], 3);
-  ASSERT_EQ(json["methods"].size(), 4u);
-  for (std::size_t k = 0; k < 4; ++k) {
+  ASSERT_EQ(json["methods"].size(), 5u);
+  for (std::size_t k = 0; k < 5; ++k) {
     const auto& method = json["methods"][k];
     EXPECT_GT(method["seconds"].get<double>(), 0);
-    EXPECT_EQ(method["missed"].get<double>() == 0, k < 2);
+    EXPECT_EQ(method["missed"].get<double>() == 0, k < 3);
     EXPECT_EQ(method["false"], 0);
-    EXPECT_EQ(method["wrong_area"].get<double>() == 0, k < 2);
-    EXPECT_EQ(method["worst_area"].get<double>() == 0, k < 2);
+    EXPECT_EQ(method["wrong_area"].get<double>() == 0, k < 3);
+    EXPECT_EQ(method["worst_area"].get<double>() == 0, k < 3);
   }
-  EXPECT_LT(json["methods"][3]["wrong_area"], json["methods"][2]["wrong_area"]);
+  EXPECT_LT(json["methods"][4]["wrong_area"], json["methods"][3]["wrong_area"]);
   for (const char* file : {"out/compare.csv", "out/compare.svg", "out/compare.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
   }
