@@ -68,6 +68,60 @@ class FrontToBack : public Ours {
   std::optional<BspTree> tree_;
 };
 
+/// The same without what not every caller needs: no map is put together, or narrow beams are not followed.
+class Less : public Method {
+ public:
+  enum What { visible, areas, wide };
+  explicit Less(What what)
+      : Method(what == visible ? "visible-only"
+               : what == areas ? "areas-only"
+                               : "min-angle-1e-9",
+               Kind::peer),
+        what_(what) {}
+
+  Cost prepare(const Scene& scene) override {
+    const double start = cpu_seconds();
+    tree_.emplace(scene);
+    tracer_.emplace(*tree_, TraceOptions{.min_angle = what_ == wide ? 1e-9 : 0});
+    return {cpu_seconds() - start, tree_->size().bytes};
+  }
+
+  Outcome map(const Camera& camera, Want want) override {
+    const double start = cpu_seconds();
+    if (what_ == wide) {
+      tracer_->trace(camera, map_);
+      return outcome_of(map_, cpu_seconds() - start, want);
+    }
+    if (what_ == visible) {
+      tracer_->visible(camera, seen_);
+    } else {
+      tracer_->areas(camera, areas_);
+    }
+    Outcome out;
+    out.seconds = cpu_seconds() - start;
+    out.gives_visible = want == Want::visible;
+    if (!out.gives_visible) return out;
+    if (what_ == visible) out.visible = seen_;
+    for (const PolygonArea& a : areas_) {
+      if (what_ == areas && a.polygon != none) out.visible.push_back(a.polygon);
+    }
+    return out;
+  }
+
+  void release() override {
+    tracer_.reset();
+    tree_.reset();
+  }
+
+ private:
+  What what_;
+  std::optional<BspTree> tree_;
+  std::optional<Tracer> tracer_;
+  VisibilityMap map_;
+  std::vector<PolygonId> seen_;
+  std::vector<PolygonArea> areas_;
+};
+
 /// Engine `cells`: beams through a winged-pair complex.
 class Cells : public Ours {
  public:
@@ -95,6 +149,7 @@ Methods make_ours() {
   Methods all;
   all.push_back(std::make_unique<FrontToBack>());
   all.push_back(std::make_unique<Cells>());
+  for (const Less::What what : {Less::visible, Less::areas, Less::wide}) all.push_back(std::make_unique<Less>(what));
   return all;
 }
 
