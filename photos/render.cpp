@@ -111,7 +111,8 @@ Image render(const VisibilityMap& map, const Scene& scene, int width, int height
       if (hit && (!point || glm::distance(*hit, frame.eye()) < glm::distance(*point, frame.eye()))) point = hit;
       if (scene.planar(polygon)) break;
     }
-    return point ? shade(polygon, *point) : sky_colour;
+    // Where the eye is in the polygon's plane but for rounding, any point of it may be the one.
+    return shade(polygon, point ? *point : scene.soup().vertices[scene.corners(polygon)[0]]);
   };
   std::vector<glm::dvec3> sum(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::dvec3(0));
   std::vector<double> area(sum.size(), 0);
