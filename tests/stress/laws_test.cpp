@@ -22,7 +22,12 @@ struct Known {
 
 using Law = std::function<void(const Known&, Random&)>;
 
+/// How often a law was held against a map.
+std::uint64_t applied = 0;
+
+/// Fails where most of the cases are none for the law.
 void for_cases(std::uint64_t count, const Law& law) {
+  const std::uint64_t before = applied;
   for (std::uint64_t seed = 0; seed < times(count); ++seed) {
     Random random(seed + 70000);
     Known known{testing::make_case(seed + 200, 7), "seed " + std::to_string(seed + 200), {}, {}};
@@ -33,6 +38,7 @@ void for_cases(std::uint64_t count, const Law& law) {
     known.scene = court.scene();
     law(known, random);
   }
+  EXPECT_GE(applied - before, times(count) / 3);
 }
 
 /// Only scenes of planar polygons: how others are cut into triangles depends on where they begin, which way they run
@@ -48,6 +54,7 @@ using Change = std::function<Drawing(Drawing)>;
 void expect(const Case& changed, const std::string& name, const Drawing& expected, const Change& image) {
   Court court(changed.soup, changed.options, {.oracle = false});
   const VisibilityMap& map = court.check(changed.camera, name);
+  ++applied;
   const std::string different = difference(expected, image(drawing(court.scene(), map)));
   if (!different.empty()) court.fault("the law does not hold\n" + different);
 }
@@ -137,39 +144,48 @@ bool middle(const glm::dvec3& a, const glm::dvec3& b, glm::dvec3& out) {
   return true;
 }
 
+/// Cuts a plainly convex polygon in two, if there is a way: the second part comes after the first, a new vertex last.
+bool cut(const Scene& scene, PolygonId p, PolygonSoup& soup, Random& random) {
+  const PolygonSoup old = soup;
+  const auto surfaces = scene.surfaces(p);
+  std::vector<std::uint32_t> corners = corners_of(old, p);
+  if (surfaces.size() != 1 || surfaces[0].edge_count != corners.size()) return false;
+  std::rotate(corners.begin(), corners.begin() + random.below(static_cast<int>(corners.size())), corners.end());
+  if (corners.size() == 3 || random.once_in(2)) {  // from the middle of the last side, else from the last corner
+    glm::dvec3 between;
+    if (!middle(old.vertices[corners.back()], old.vertices[corners.front()], between)) return false;
+    soup.vertices.push_back(between);
+    corners.push_back(static_cast<std::uint32_t>(soup.vertices.size() - 1));
+  }
+  const std::ptrdiff_t to = 1 + random.below(static_cast<int>(corners.size()) - 3);
+  std::vector<std::uint32_t> one(corners.begin(), corners.begin() + to + 1);
+  one.push_back(corners.back());
+  const std::vector<std::uint32_t> two(corners.begin() + to, corners.end());
+  soup.first = {0};
+  soup.corners.clear();
+  for (PolygonId q = 0; q < scene.polygon_count(); ++q) {
+    append(soup, q == p ? one : corners_of(old, q));
+    if (q == p) append(soup, two);
+  }
+  return true;
+}
+
 TEST(StressLaws, APolygonInTwo) {
   for_cases(40, [](const Known& known, Random& random) {
-    const PolygonSoup& old = known.sample.soup;
-    const PolygonId p = static_cast<PolygonId>(random.below(static_cast<int>(known.scene.polygon_count())));
-    const auto surfaces = known.scene.surfaces(p);
-    std::vector<std::uint32_t> corners = corners_of(old, p);
-    if (surfaces.size() != 1 || surfaces[0].edge_count != corners.size()) return;  // not plainly convex
     Case changed = known.sample;
-    PolygonSoup& soup = changed.soup;
-    std::rotate(corners.begin(), corners.begin() + random.below(static_cast<int>(corners.size())), corners.end());
-    glm::dvec3 between;
-    if (corners.size() == 3 || random.once_in(2)) {  // from a corner to the middle of the last side
-      if (!middle(old.vertices[corners.back()], old.vertices[corners.front()], between)) return;
-      soup.vertices.push_back(between);
-      corners.push_back(static_cast<std::uint32_t>(soup.vertices.size() - 1));
+    const std::uint32_t count = known.scene.polygon_count();
+    const std::uint32_t first = static_cast<std::uint32_t>(random.below(static_cast<int>(count)));
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const PolygonId p = (first + k) % count;
+      if (!cut(known.scene, p, changed.soup, random)) continue;
+      const auto vertices = static_cast<PointId>(known.sample.soup.vertices.size());
+      const auto as_before = [&](Drawing d) {
+        d = renamed(std::move(d), [&](PolygonId q) { return q > p ? q - 1 : q; });
+        return united(marked(std::move(d), [&](PointId v) { return v >= vertices ? none : v; }));
+      };
+      expect(changed, known.name + ", polygon " + std::to_string(p) + " in two", united(known.drawn), as_before);
+      return;
     }
-    // From the last corner to one that is not beside it.
-    const std::ptrdiff_t to = 1 + random.below(static_cast<int>(corners.size()) - 3);
-    std::vector<std::uint32_t> one(corners.begin(), corners.begin() + to + 1);
-    one.push_back(corners.back());
-    const std::vector<std::uint32_t> two(corners.begin() + to, corners.end());
-    soup.first = {0};
-    soup.corners.clear();
-    for (PolygonId q = 0; q < known.scene.polygon_count(); ++q) {
-      append(soup, q == p ? one : corners_of(old, q));
-      if (q == p) append(soup, two);
-    }
-    const auto as_before = [&](Drawing d) {
-      d = renamed(std::move(d), [&](PolygonId q) { return q > p ? q - 1 : q; });
-      const auto vertices = static_cast<PointId>(old.vertices.size());
-      return united(marked(std::move(d), [&](PointId v) { return v >= vertices ? none : v; }));
-    };
-    expect(changed, known.name + ", polygon " + std::to_string(p) + " in two", united(known.drawn), as_before);
   });
 }
 
@@ -295,6 +311,7 @@ TEST(StressLaws, PartsOfTheWindow) {
           court.fault("an edge of a part of the window is none of the window's");
       }
     }
+    ++applied;
     for (const auto& [polygon, area] : left) {
       if (area != 0) court.fault("the parts see another area of polygon " + std::to_string(polygon));
     }
