@@ -12,6 +12,7 @@
 
 #include "beam/trace.hpp"
 #include "bsp/build.hpp"
+#include "clip/hybrid.hpp"
 #include "exact/tally.hpp"
 #include "tests/oracle/exact_map.hpp"
 #include "tests/oracle/judging.hpp"
@@ -25,7 +26,8 @@ namespace {
 /// What this program has done, printed in one line at its end.
 class Counts : public ::testing::Environment {
  public:
-  std::uint64_t scenes = 0, maps = 0, faces = 0, by_verifier = 0, by_cells = 0, by_oracle = 0, faults = 0;
+  std::uint64_t scenes = 0, maps = 0, faces = 0, by_verifier = 0, by_cells = 0, by_hybrid = 0, by_oracle = 0,
+                faults = 0;
   double slowest = 0;  // of the fastest engine, a camera
   std::string slowest_case;
 
@@ -92,6 +94,7 @@ struct Court::State {
   std::optional<Complex> complex;
   std::optional<BspTree> tree;
   std::optional<Tracer> cells, front_to_back;
+  std::optional<HybridTracer> hybrid;
   verify::Verifier verifier;
   std::string what = "the scene";
   std::uint64_t maps = 0;
@@ -106,6 +109,7 @@ struct Court::State {
     if (options.one_sided && scene.report().self_crossing > 0) judges.oracle = false;
     tree.emplace(scene, TreeOptions{counts().scenes % 2 == 0});
     front_to_back.emplace(*tree);
+    if (judges.hybrid) hybrid.emplace(scene);
     if (judges.complex) {
       complex = build(scene);
       cells.emplace(scene, *complex);
@@ -125,7 +129,12 @@ struct Court::State {
     if (cells) {
       ++counts().by_cells;
       cells->trace(sample.camera, other);
-      if (map_json(other, scene) != json) all += "the engines differ\n";
+      if (map_json(other, scene) != json) all += "the engine cells gives another map\n";
+    }
+    if (hybrid) {
+      ++counts().by_hybrid;
+      hybrid->trace(sample.camera, other);
+      if (map_json(other, scene) != json) all += "the engine hybrid gives another map\n";
     }
     if (sample.options.one_sided && scene.report().self_crossing > 0) return all;
     if (maps++ % judges.verifier == 0) {

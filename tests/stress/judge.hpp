@@ -19,6 +19,7 @@ std::uint64_t times(std::uint64_t usual);
 /// Who judges.
 struct Judges {
   bool complex = true;    // the winged-pair complex is checked, and the engine on it gives the same bytes
+  bool hybrid = true;     // so does the engine that clips
   bool oracle = true;     // brute force over an arrangement: for scenes of a few polygons
   unsigned verifier = 1;  // every so many maps: all but the slowest
 };
