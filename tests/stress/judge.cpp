@@ -39,9 +39,9 @@ class Counts : public ::testing::Environment {
     const Tally tally = tally_total();
     std::ostringstream line;
     line << program() << ": " << scenes << " scenes, " << maps << " maps, " << faces << " faces, " << faults
-         << " faults; judged by the verifier " << by_verifier << ", by a second engine " << by_cells
-         << ", by the oracle " << by_oracle << "; decided by identity " << tally.identity << ", filter " << tally.filter
-         << ", exact";
+         << " faults; judged by the verifier " << by_verifier << ", by the engines cells " << by_cells << " and hybrid "
+         << by_hybrid << ", by the oracle " << by_oracle << "; decided by identity " << tally.identity << ", filter "
+         << tally.filter << ", exact";
     for (std::size_t k = 0; k < tally.exact.size(); ++k) {
       if (tally.exact[k] == 0) continue;
       line << " " << (Tally::widths[k] == 0 ? std::string("longer") : std::to_string(Tally::widths[k])) << ": "
