@@ -137,21 +137,35 @@ bool FrontToBack::carve(const Patch& patch, const TreePiece& piece, Sign eye, Pa
   return true;
 }
 
-/// Halves of about as many sides each, by a line along an axis of the frame. Any line would do, but where not all
-/// beams are followed the border between what is and what is not may run along it, and it needs a name: then it is one
-/// of the patch's own.
+/// Halves of about as many sides each, by a line along that axis of the frame which fewer sides cross; false where
+/// either is crossed by so many that the halves would not be much smaller, as with long strips. Any line would do, but
+/// where not all beams are followed the border between what is and what is not may run along it, and it needs a name:
+/// then it is one of the patch's own.
 bool FrontToBack::halve(const Patch& patch, Patch& a, Patch& b) {
   if (min_angle_ > 0) return patches_.split(patch, patches_.middle_line(patch), a, b);
-  const float* const side = patch.bounds.side;
   if (!patch.bounds.bounded()) return false;
-  const int axis = -side[2] - side[0] > -side[3] - side[1] ? 0 : 1;
-  middles_.clear();
-  for (std::uint32_t k = patch.first; k < patch.first + patch.count; ++k) {
-    middles_.push_back((patches_.box(k).side[axis] - patches_.box(k).side[axis + 2]) / 2);
+  int axis = -1;
+  float at = 0;
+  std::ptrdiff_t least = patch.count / 4;
+  for (const int k : {0, 1}) {
+    middles_.clear();
+    for (std::uint32_t side = patch.first; side < patch.first + patch.count; ++side) {
+      middles_.push_back((patches_.box(side).side[k] - patches_.box(side).side[k + 2]) / 2);
+    }
+    const auto middle = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
+    std::nth_element(middles_.begin(), middle, middles_.end());
+    std::ptrdiff_t crossing = 0;
+    for (std::uint32_t side = patch.first; side < patch.first + patch.count; ++side) {
+      const float* const box = patches_.box(side).side;
+      crossing += box[k] < *middle && *middle < -box[k + 2];
+    }
+    if (crossing > least || (crossing == least && axis >= 0)) continue;
+    least = crossing;
+    axis = k;
+    at = *middle;
   }
-  const auto middle = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
-  std::nth_element(middles_.begin(), middle, middles_.end());
-  glm::dvec3 n = (axis == 0 ? frame_.across() : frame_.upwards()) - double{*middle} * frame_.ahead();
+  if (axis < 0) return false;
+  glm::dvec3 n = (axis == 0 ? frame_.across() : frame_.upwards()) - double{at} * frame_.ahead();
   n *= 0x1p20 / std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
   std::uint64_t words[3];
   for (int k = 0; k < 3; ++k) words[k] = static_cast<std::uint64_t>(std::llround(n[k]));
