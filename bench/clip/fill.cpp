@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <ctime>
 
+#include "bench/cpu_seconds.hpp"
 #include "clip/cover_buffer.hpp"
 #include "clip/shadows.hpp"
 #include "models/model.hpp"
@@ -14,12 +14,6 @@
 namespace {
 
 using namespace sightline;
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
 
 /// Triangles of all surfaces, in unit coordinates.
 RTCScene embree_scene(RTCDevice device, const Scene& scene) {

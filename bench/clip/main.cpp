@@ -2,25 +2,19 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 #include "bench/clip/weiler_atherton.hpp"
+#include "bench/cpu_seconds.hpp"
 #include "clip/clip.hpp"
 #include "models/model.hpp"
 
 namespace {
 
 using namespace sightline;
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
 
 /// Areas that thresholds may be parts of.
 double square_of_longest_side(const Scene& scene) {

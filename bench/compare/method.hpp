@@ -1,24 +1,17 @@
 // What all methods under comparison have in common: prepared once for a scene, then asked for view after view.
 #pragma once
 
-#include <ctime>
 #include <functional>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/cpu_seconds.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 
 namespace sightline::peers {
-
-/// The thread's own processor time: on a shared machine the wall clock measures the neighbours as well.
-inline double cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// What preparing a scene cost; zeros where a method keeps nothing between views.
 struct Cost {

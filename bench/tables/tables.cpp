@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 
 #include "beam/trace.hpp"
+#include "bench/cpu_seconds.hpp"
 #include "bsp/build.hpp"
 #include "exact/tally.hpp"
 #include "models/model.hpp"
@@ -47,13 +47,6 @@ struct Spread {
     std::printf(format, values.back());
   }
 };
-
-// The thread's own processor time: on a shared machine the wall clock measures the neighbours as well.
-double cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 double peak_megabytes() {
   rusage usage{};
