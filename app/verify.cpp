@@ -5,6 +5,7 @@
 #include "app/options.hpp"
 #include "app/report.hpp"
 #include "app/stopwatch.hpp"
+#include "compare/companion.hpp"
 
 #include <signal.h>
 #include <spawn.h>
@@ -20,16 +21,6 @@ namespace sightline::app {
 namespace {
 
 constexpr const char* program = "sightline-verify";
-
-/// Beside this executable, or where the installation puts it.
-std::filesystem::path find_verifier() {
-  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  for (const auto& folder : {here, here.parent_path() / SIGHTLINE_LIBEXEC / "sightline"}) {
-    if (access((folder / program).c_str(), X_OK) == 0) return folder / program;
-  }
-  throw std::runtime_error(std::string(program) + " is neither in " + here.string() + " nor in " + SIGHTLINE_LIBEXEC +
-                           "/sightline of the installation");
-}
 
 /// Starts it with the signals that this process holds back let through.
 pid_t start(const std::filesystem::path& verifier, const std::vector<std::string>& arguments) {
@@ -58,7 +49,7 @@ struct VerifyCommand {
 };
 
 int run_verifier(const std::vector<std::string>& arguments) {
-  const pid_t child = start(find_verifier(), arguments);
+  const pid_t child = start(comparison::companion(program), arguments);
   set_interrupted_child(child);
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {

@@ -1,5 +1,6 @@
 // The engine `front-to-back` on plain doubles: a program of its own, in which other sources stand in the place of the
 // exact stages (compare/plain/).
+#include "compare/companion.hpp"
 #include "compare/packing.hpp"
 
 #include <spawn.h>
@@ -18,21 +19,11 @@ namespace {
 
 constexpr const char* program = "sightline-double";
 
-/// Beside this executable, or where the installation puts it.
-std::filesystem::path find_program() {
-  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  for (const auto& folder : {here, here.parent_path() / SIGHTLINE_LIBEXEC / "sightline"}) {
-    if (access((folder / program).c_str(), X_OK) == 0) return folder / program;
-  }
-  throw std::runtime_error(std::string(program) + " is neither in " + here.string() + " nor in " + SIGHTLINE_LIBEXEC +
-                           "/sightline of the installation");
-}
-
 /// The program does what may go wrong in children of its own: it always answers.
 class Double : public Method {
  public:
   explicit Double(const Scene& scene) {
-    const std::filesystem::path path = find_program();
+    const std::filesystem::path path = companion(program);
     std::array<int, 2> ends;
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) throw std::runtime_error("no socket");
     pipe_ = ends[0];
