@@ -26,6 +26,8 @@
 #include "photos/pixel_owners.hpp"
 #include "photos/render.hpp"
 #include "photos/textured.hpp"
+#include "sample/id_buffer.hpp"
+#include "sample/ray_caster.hpp"
 #include "scene/camera.hpp"
 #include "scene/errors.hpp"
 #include "scene/read.hpp"

@@ -52,9 +52,8 @@ double thread_seconds();
 struct Kind {
   std::string name;
   bool sized = false;  // has a number N, 1 to 16384
-  /// `size` is 0 for kinds without. Null: left out of this build, for lack of the Debian package named below.
-  std::unique_ptr<Method> (*make)(const Scene& scene, unsigned size) = nullptr;
-  std::string package = {};
+  /// `size` is 0 for kinds without.
+  std::unique_ptr<Method> (*make)(const Scene& scene, unsigned size);
 };
 const std::vector<Kind>& kinds();
 
@@ -64,8 +63,8 @@ struct MethodName {
   const Kind* kind;
   unsigned size;
 };
-/// Names with commas between them. Throws std::invalid_argument, in one line, for a name that there is not, that stands
-/// there twice, or that this build has not.
+/// Names with commas between them. Throws std::invalid_argument, in one line, for a name that there is not, or that
+/// stands there twice.
 std::vector<MethodName> parse_methods(const std::string& list);
 
 // A kind is a file with such a function, and a line in methods.cpp. What they throw is why there is no method.

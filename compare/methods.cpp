@@ -9,17 +9,12 @@
 namespace sightline::comparison {
 
 const std::vector<Kind>& kinds() {
-#ifdef SIGHTLINE_COMPARE_EMBREE
-  constexpr auto rays = make_rays;
-#else
-  constexpr std::unique_ptr<Method> (*rays)(const Scene&, unsigned) = nullptr;
-#endif
   static const std::vector<Kind> all{
       {"front-to-back", false, make_front_to_back},
       {"cells", false, make_cells},
       {"hybrid", false, make_hybrid},
       {"double", false, make_double},
-      {"rays", true, rays, "libembree-dev"},
+      {"rays", true, make_rays},
       {"ids", true, make_ids},
   };
   return all;
@@ -46,10 +41,6 @@ MethodName parse(const std::string& text) {
     }
   } else if (colon != std::string::npos) {
     throw std::invalid_argument("'" + text + "': " + kind->name + " takes no number");
-  }
-  if (kind->make == nullptr) {
-    throw std::invalid_argument("'" + text + "': not in this build, which was made without " + kind->package +
-                                " (Debian)");
   }
   return {text, &*kind, size};
 }

@@ -6,9 +6,8 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache pkg-config
   libglm-dev libgmp-dev libcairo2-dev libpng-dev  # the library: vectors, integers, pictures
-  libtbb-dev                            # and threads
+  libtbb-dev libembree-dev              # threads, rays
   libcli11-dev                          # the command: options
-  libembree-dev                         # and rays to compare with (it builds without)
   nlohmann-json3-dev libeigen3-dev
   libcgal-dev                           # the slow, independent way to the same answers: tests and sightline-verify
   libgtest-dev librapidcheck-dev libbenchmark-dev

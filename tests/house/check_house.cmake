@@ -4,7 +4,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 # What each folder may see, itself apart. `verify` shares nothing with the kernel.
-set(order exact scene winged_pair bsp visibility_map beam clip photos compare models verify app)
+set(order exact scene winged_pair bsp visibility_map beam clip photos sample compare models verify app)
 set(sees_exact "")
 set(sees_scene exact)
 set(sees_winged_pair exact scene)
@@ -13,10 +13,11 @@ set(sees_visibility_map exact scene)
 set(sees_beam exact scene winged_pair bsp visibility_map)
 set(sees_clip exact scene visibility_map)
 set(sees_photos exact scene visibility_map clip)
-set(sees_compare exact scene winged_pair bsp visibility_map beam clip)
+set(sees_sample exact scene winged_pair bsp visibility_map beam clip)
+set(sees_compare exact scene winged_pair bsp visibility_map beam clip sample)
 set(sees_models exact scene)
 set(sees_verify "")
-set(sees_app exact scene winged_pair bsp visibility_map beam clip photos compare models)
+set(sees_app exact scene winged_pair bsp visibility_map beam clip photos sample compare models)
 
 set(public_header_lines 150)
 set(file_lines 400)

@@ -1,11 +1,11 @@
-#include "compare/places.hpp"
+#include "sample/places.hpp"
 
 #include "exact/rounding.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-namespace sightline::comparison {
+namespace sightline {
 namespace {
 
 /// Where the lines of two sides of one piece meet.
@@ -45,4 +45,4 @@ glm::dvec3 place_of_eye(const Scene& scene, const glm::dvec3& eye) {
   return at;
 }
 
-}  // namespace sightline::comparison
+}  // namespace sightline

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace sightline::comparison {
+namespace sightline {
 
 /// The convex pieces of all polygons, flat: piece k has the corners [first[k], first[k+1]), counter-clockwise seen from
 /// the side on which its polygon's own vertices run so. In unit coordinates (see Grid), each within 2^-53; where edges
@@ -24,4 +24,4 @@ Places places_of(const Scene& scene);
 /// An eye in unit coordinates, moved by the scene's snap if it has one.
 glm::dvec3 place_of_eye(const Scene& scene, const glm::dvec3& eye);
 
-}  // namespace sightline::comparison
+}  // namespace sightline
