@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "beam/box_groups.hpp"
 #include "beam/patches.hpp"
 
 namespace sightline {
@@ -45,6 +46,11 @@ class FrontToBack : public Engine {
     std::uint32_t first, count;  // in seen_on_
   };
 
+  void add_seen(const Seen& seen) {
+    seen_.push_back(seen);
+    seen_boxes_.push(seen.patch.bounds);
+  }
+
   const BspTree& tree_;
   const double min_angle_;
   Frame frame_;
@@ -56,6 +62,7 @@ class FrontToBack : public Engine {
   Cone cone_;                        // what is seen of it, once it is needed
   std::vector<SightlineRef> lines_;  // its outline, once it is needed
   std::vector<Seen> seen_;
+  BoxGroups seen_boxes_;
   std::vector<SurfaceId> seen_on_;
   std::vector<float> middles_;
 };
@@ -120,8 +127,10 @@ bool FrontToBack::in_sight(const TreeBox& box, std::size_t first) {
   for (std::size_t k = first; k < open_.size(); ++k) {
     if (open_[k].bounds.meets(piece_bounds_)) return true;
   }
-  for (const Seen& seen : seen_) {
-    if (seen.patch.bounds.meets(piece_bounds_)) return true;
+  const std::size_t end = seen_.size();
+  for (std::size_t k = seen_boxes_.next(0, end, piece_bounds_); k < end;
+       k = seen_boxes_.next(k + 1, end, piece_bounds_)) {
+    if (seen_[k].patch.bounds.meets(piece_bounds_)) return true;
   }
   return false;
 }
@@ -196,13 +205,16 @@ void FrontToBack::take_out(const TreeNode& node, Sign eye, std::size_t first) {
     if (!view.opaque(piece.surface, eye) || !in_sight(piece.box, first) || !view.in_reach(piece.surface)) continue;
     lines_.clear();
     Patch inside, outside;
-    for (std::size_t k = 0, n = seen_.size(); k < n; ++k) {
+    const std::size_t before = seen_.size();
+    for (std::size_t k = seen_boxes_.next(0, before, piece_bounds_); k < before;
+         k = seen_boxes_.next(k + 1, before, piece_bounds_)) {
+      if (!seen_[k].patch.bounds.meets(piece_bounds_)) continue;
       const Seen whole = seen_[k];
       if (!carve(whole.patch, piece, eye, inside, outside)) continue;
-      if (!outside.empty()) seen_.push_back({outside, whole.first, whole.count});
+      if (!outside.empty()) add_seen({outside, whole.first, whole.count});
       const auto on = static_cast<std::uint32_t>(seen_on_.size());
       for (std::uint32_t j = 0; j < whole.count; ++j) seen_on_.push_back(seen_on_[whole.first + j]);
-      seen_on_.push_back(piece.surface);
+      seen_on_.insert(std::upper_bound(seen_on_.begin() + on, seen_on_.end(), piece.surface), piece.surface);
       seen_[k] = {inside, on, whole.count + 1};
     }
     std::size_t kept = first;
@@ -210,7 +222,7 @@ void FrontToBack::take_out(const TreeNode& node, Sign eye, std::size_t first) {
     for (std::size_t k = first; k < end; ++k) {
       const Patch open = open_[k];
       if (carve(open, piece, eye, inside, outside)) {
-        seen_.push_back({inside, static_cast<std::uint32_t>(seen_on_.size()), 1});
+        add_seen({inside, static_cast<std::uint32_t>(seen_on_.size()), 1});
         seen_on_.push_back(piece.surface);
         keep_open(outside);
       } else {
@@ -222,6 +234,7 @@ void FrontToBack::take_out(const TreeNode& node, Sign eye, std::size_t first) {
   }
   for (const Seen& seen : seen_) see(seen.patch, std::span(seen_on_).subspan(seen.first, seen.count));
   seen_.clear();
+  seen_boxes_.clear();
   seen_on_.clear();
 }
 

@@ -73,9 +73,37 @@ void TreeGrower::keep_edges(TreePart part, TreePiece& out) {
   }
 }
 
+/// Neighbours in the plane become neighbours in the list, as far as that goes, so that a group is a small region:
+/// halves along the longest side of what holds the parts' middles, and so on; the first half is made of whole groups.
+void TreeGrower::order(std::span<TreePart> parts) {
+  if (parts.size() <= tree_group) return;
+  const auto middle = [this](TreePart p, int axis) { return parts_.along(p).low[axis] + parts_.along(p).high[axis]; };
+  int axis = 0;
+  float longest = -1;
+  for (int k = 0; k < 3; ++k) {
+    float low = INFINITY, high = -INFINITY;
+    for (const TreePart p : parts) {
+      low = std::min(low, middle(p, k));
+      high = std::max(high, middle(p, k));
+    }
+    if (high - low <= longest) continue;
+    longest = high - low;
+    axis = k;
+  }
+  const std::size_t unit = parts.size() > 16 * tree_group ? 16 * tree_group : tree_group;
+  const std::size_t half = (parts.size() / 2 + unit - 1) / unit * unit;
+  std::nth_element(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(half), parts.end(),
+                   [&](TreePart a, TreePart b) {
+                     const float at_a = middle(a, axis), at_b = middle(b, axis);
+                     return at_a != at_b ? at_a < at_b : parts_.surface(a) < parts_.surface(b);
+                   });
+  order(parts.first(half));
+  order(parts.subspan(half));
+}
+
 /// The parts in the node's plane take their last form.
 void TreeGrower::keep(TreeNode& node) {
-  std::sort(on_.begin(), on_.end(), [this](TreePart a, TreePart b) { return parts_.surface(a) < parts_.surface(b); });
+  order(on_);
   TreePiece* const out = kept_.take(on_.size());
   for (std::size_t k = 0; k < on_.size(); ++k) {
     out[k].surface = parts_.surface(on_[k]);

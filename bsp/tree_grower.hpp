@@ -40,6 +40,7 @@ class TreeGrower {
     }
   };
   TreeNode* node_of(std::size_t count, Extent& extent);
+  void order(std::span<TreePart> parts);
   void keep(TreeNode& node);
   void keep_edges(TreePart part, TreePiece& out);
 
