@@ -91,12 +91,14 @@ int main(int argc, char** argv) {
   std::vector<double> thresholds{0.0001, 0.001, 0.01};
   std::string relative = "polygon";
   int buffer = 0;
+  double limit = 600;
   bool alone = false, one_sided = true;
   app.add_option("models", names);
   app.add_option("--thresholds", thresholds, "areas, of --relative");
   app.add_option("--relative", relative, "polygon: the model's mean polygon; box: the square of its longest side")
       ->check(CLI::IsMember({"polygon", "box"}));
   app.add_option("--buffer", buffer);
+  app.add_option("--limit", limit, "processor seconds that the baseline is given; what it has come to then counts");
   app.add_flag("--one-sided,!--two-sided", one_sided, "only the open sides of polygons are seen, or hide anything");
   app.add_flag("--alone", alone, "without the baseline");
   CLI11_PARSE(app, argc, argv);
@@ -118,18 +120,19 @@ int main(int argc, char** argv) {
       const double start = cpu_seconds();
       const ClipResult ours = clip(scene, cameras, options);
       const double middle = cpu_seconds();
-      std::vector<bench::WaPiece> theirs;
-      if (!alone) theirs = bench::weiler_atherton(scene, cameras, options.threshold);
+      bench::WaResult theirs;
+      if (!alone) theirs = bench::weiler_atherton(scene, cameras, options.threshold, limit);
       const double end = cpu_seconds();
       const double a = middle - start, b = end - middle;
       std::printf("%s | %u | %zu | %g | %zu | %zu | %.2f | %.2f | %.2f | %.1f | %.2f | %.2f", name.c_str(),
-                  scene.polygon_count(), cameras.size(), threshold, ours.pieces.size(), theirs.size(),
-                  static_cast<double>(theirs.size()) / static_cast<double>(ours.pieces.size()), a, b, b / a,
+                  scene.polygon_count(), cameras.size(), threshold, ours.pieces.size(), theirs.pieces.size(),
+                  static_cast<double>(theirs.pieces.size()) / static_cast<double>(ours.pieces.size()), a, b, b / a,
                   ours.stats.buffer_seconds, ours.stats.clip_seconds);
+      if (!alone && theirs.views < cameras.size()) std::printf(" | given up after %u views", theirs.views);
       // Without a threshold both see the same, but for the baseline's roundings.
       if (threshold == 0)
         std::printf(" | window seen, all views: %.9f | %.9f", seen_by_ours(ours, cameras),
-                    seen_by_theirs(theirs, cameras));
+                    seen_by_theirs(theirs.pieces, cameras));
       std::printf("\n");
       std::fflush(stdout);
     }

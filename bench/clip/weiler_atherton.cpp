@@ -7,6 +7,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "bench/cpu_seconds.hpp"
+
 namespace sightline::bench {
 namespace {
 
@@ -60,7 +62,8 @@ class View {
     }
   }
 
-  void run(std::vector<WaPiece>& pieces, std::uint32_t index) {
+  /// False: the time, by cpu_seconds(), was over before the view was done.
+  bool run(std::vector<WaPiece>& pieces, std::uint32_t index, double end) {
     std::vector<WaPiece> done;
     items_.clear();
     for (WaPiece& piece : pieces) enter(std::move(piece), done);
@@ -71,13 +74,17 @@ class View {
               [&](std::size_t a, std::size_t b) { return items_[a].depth < items_[b].depth; });
     // A piece clips as it was before this view cut it, if any of it is left: Weiler and Atherton's advice.
     const std::vector<Item> whole = items_;
-    for (const std::size_t k : order)
-      if (alive_[k] > 0) clip_all(whole[k]);
+    bool in_time = true;
+    for (const std::size_t k : order) {
+      in_time = in_time && cpu_seconds() < end;
+      if (in_time && alive_[k] > 0) clip_all(whole[k]);
+    }
     for (Item& item : items_) {
       if (!item.hidden) item.piece.cameras.push_back(index);
       done.push_back(std::move(item.piece));
     }
     pieces = std::move(done);
+    return in_time;
   }
 
  private:
@@ -196,8 +203,10 @@ class View {
 
 }  // namespace
 
-std::vector<WaPiece> weiler_atherton(const Scene& scene, std::span<const Camera> cameras, double threshold) {
-  std::vector<WaPiece> pieces;
+WaResult weiler_atherton(const Scene& scene, std::span<const Camera> cameras, double threshold, double limit) {
+  const double end = cpu_seconds() + limit;
+  WaResult result;
+  std::vector<WaPiece>& pieces = result.pieces;
   glm::dvec3 low{1e300}, high{-1e300};
   for (const glm::dvec3& v : scene.soup().vertices) {
     low = glm::min(low, v);
@@ -211,8 +220,11 @@ std::vector<WaPiece> weiler_atherton(const Scene& scene, std::span<const Camera>
     if (piece.corner.size() >= 3) pieces.push_back(std::move(piece));
   }
   const double tolerance = 1e-9 * glm::distance(low, high);
-  for (std::uint32_t c = 0; c < cameras.size(); ++c) View(scene, cameras[c], tolerance, threshold).run(pieces, c);
-  return pieces;
+  while (result.views < cameras.size() &&
+         View(scene, cameras[result.views], tolerance, threshold).run(pieces, result.views, end)) {
+    ++result.views;
+  }
+  return result;
 }
 
 }  // namespace sightline::bench
