@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "beam/vector_pairs.hpp"
 #include "bsp/tree.hpp"
 
 namespace sightline {
@@ -32,30 +33,31 @@ struct ViewScale {
 struct Cone {
   const TreePiece* piece = nullptr;
   Sign eye_side = 0;  // of the piece's plane
-  std::vector<glm::dvec3> ray, out;
+  VectorPairs ray, out;
   std::vector<SightlineRef> outer;  // the sides' lines, pointing outwards, as far as they have been asked for
   glm::dvec3 middle{0};
 
   void set(const ViewScale& scale, const TreePiece& p, Sign eye) {
     piece = &p;
     eye_side = eye;
-    out.clear();
+    out.resize(0);
     outer.clear();
     ray.resize(p.count);
     middle = {0, 0, 0};
     for (std::uint32_t k = 0; k < p.count; ++k) {
-      ray[k] = p.corner[k].at - scale.eye;
-      middle += ray[k];
+      const glm::dvec3 at = p.corner[k].at - scale.eye;
+      ray.set(k, at);
+      middle += at;
     }
   }
   void need_sides() {
-    if (!out.empty()) return;
+    if (out.size() != 0) return;
     outer.resize(ray.size());
     out.resize(ray.size());
     // (a - eye) x (b - eye) points outwards where a, b run counter-clockwise as the eye sees them.
     for (std::size_t k = 0; k < ray.size(); ++k) {
-      const glm::dvec3& next = ray[k + 1 == ray.size() ? 0 : k + 1];
-      out[k] = eye_side > 0 ? glm::cross(ray[k], next) : glm::cross(next, ray[k]);
+      const glm::dvec3 a = ray[k], b = ray[k + 1 == ray.size() ? 0 : k + 1];
+      out.set(k, eye_side > 0 ? glm::cross(a, b) : glm::cross(b, a));
     }
   }
   /// A ray inside, ahead of the eye if there is one.
@@ -63,8 +65,8 @@ struct Cone {
     const double z = glm::dot(ahead, middle);
     if (z > 0) return middle;
     glm::dvec3 front{0, 0, 0};
-    for (const glm::dvec3& r : ray) {
-      if (glm::dot(ahead, r) > 0) front += r;
+    for (std::size_t k = 0; k < ray.size(); ++k) {
+      if (glm::dot(ahead, ray[k]) > 0) front += ray[k];
     }
     return z < 0 ? front - middle * (glm::dot(ahead, front) / (2 * z)) : front + middle;
   }

@@ -142,21 +142,20 @@ bool Patches::odd(const Patch& patch, const glm::dvec3& ray, bool& known) const 
 bool Patches::keeps_away(const FragmentSide& side, Cone& figure, bool& within) const {
   const glm::dvec3& n = table_->approx(side.line.id);
   bool front = true, behind = true;
-  for (const glm::dvec3& ray : figure.ray) {
-    const double value = glm::dot(n, ray);
-    front = front && value > scale_.point;
-    behind = behind && value < -scale_.point;
-    if (!front && !behind) break;
+  for (std::size_t k = 0; k < figure.ray.size(); k += 32) {
+    const auto [above, below] = figure.ray.signs(n, scale_.point, k);
+    front = front && above == figure.ray.all(k);
+    behind = behind && below == figure.ray.all(k);
   }
   if (front || behind) return true;
   figure.need_sides();
   const glm::dvec3 &from = corners_[side.from].ray, &to = corners_[side.to].ray;
   bool from_within = true, to_within = true;
-  for (const glm::dvec3& out : figure.out) {
-    const double at_from = glm::dot(out, from), at_to = glm::dot(out, to);
-    if (at_from > scale_.side && at_to > scale_.side) return true;
-    from_within = from_within && at_from < -scale_.side;
-    to_within = to_within && at_to < -scale_.side;
+  for (std::size_t k = 0; k < figure.out.size(); k += 32) {
+    const auto at_from = figure.out.signs(from, scale_.side, k), at_to = figure.out.signs(to, scale_.side, k);
+    if ((at_from.above & at_to.above) != 0) return true;
+    from_within = from_within && at_from.below == figure.out.all(k);
+    to_within = to_within && at_to.below == figure.out.all(k);
   }
   within = within || from_within || to_within;
   return false;

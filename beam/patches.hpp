@@ -109,7 +109,6 @@ class Patches {
   /// A line of the figure's outline; `corner`, once it is needed, is where it begins.
   struct OutlineLine {
     SightlineRef line;
-    glm::dvec3 normal;
     std::uint32_t corner;
   };
   /// What a side of the patch and the closed figure have in common: its part between two corners.
@@ -183,6 +182,7 @@ class Patches {
   // The figure at hand.
   std::vector<std::uint32_t> near_;  // sides of the patch that may touch it
   std::vector<OutlineLine> outline_;
+  VectorPairs outline_normals_;
   std::vector<Contact> contacts_;
   std::vector<RimEvent> rim_;
   std::vector<FragmentSide> caps_, added_;

@@ -15,19 +15,16 @@ std::pair<std::uint32_t, std::uint32_t> Patches::places(std::uint32_t corner) {
   Corner& c = corners_[corner];
   if (c.stamp == stamp_) return {c.behind, c.on};
   c.stamp = stamp_;
-  c.behind = c.on = 0;
-  for (std::size_t k = 0; k < outline_.size(); ++k) {
-    const OutlineLine& l = outline_[k];
-    const double det = c.ray.x * l.normal.x + c.ray.y * l.normal.y + c.ray.z * l.normal.z;
-    const std::uint32_t bit = 1u << k;
-    if (det > bound || det < -bound) [[likely]] {
-      ++tally().filter;
-      if (det < 0) c.behind |= bit;
-    } else {
-      const Sign sign = exact_side(c, l.line);
-      if (sign < 0) c.behind |= bit;
-      if (sign == 0) c.on |= bit;
-    }
+  const auto [ahead, behind] = outline_normals_.signs(c.ray, bound);
+  c.behind = behind;
+  c.on = 0;
+  std::uint32_t unknown = outline_normals_.all(0) & ~(ahead | behind);
+  tally().filter += outline_.size() - static_cast<std::size_t>(std::popcount(unknown));
+  for (; unknown != 0; unknown &= unknown - 1) {
+    const std::uint32_t bit = unknown & -unknown;
+    const Sign sign = exact_side(c, outline_[static_cast<std::size_t>(std::countr_zero(unknown))].line);
+    if (sign < 0) c.behind |= bit;
+    if (sign == 0) c.on |= bit;
   }
   return {c.behind, c.on};
 }
@@ -212,9 +209,14 @@ bool Patches::carve(const Patch& patch, std::span<const SightlineRef> lines, Pat
   outline_.clear();
   for (const SightlineRef line : lines) {
     if (!outline_.empty() && outline_.back().line.id == line.id) continue;
-    outline_.push_back({line, table_->approx(line.id) * static_cast<double>(line.sign), none});
+    outline_.push_back({line, none});
   }
   if (outline_.front().line.id == outline_.back().line.id) outline_.pop_back();
+  outline_normals_.resize(outline_.size());
+  for (std::size_t k = 0; k < outline_.size(); ++k) {
+    const SightlineRef line = outline_[k].line;
+    outline_normals_.set(k, table_->approx(line.id) * static_cast<double>(line.sign));
+  }
   if (outline_.size() > 32) return carve_by_lines(patch, lines, inside, outside);
   ++stamp_;
   contacts_.clear();
