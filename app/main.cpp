@@ -1,6 +1,7 @@
 // The `sightline` command: one file a subcommand; here, how it ends.
 #include "app/exit_codes.hpp"
 #include "app/interrupt.hpp"
+#include "app/limits.hpp"
 #include "app/messages.hpp"
 #include "app/options.hpp"
 #include "scene/errors.hpp"
@@ -39,6 +40,7 @@ int run_command(int argc, char** argv) {
     return wrong_usage;
   }
   watch_interrupts();
+  watch_memory();
   return run();
 }
 

@@ -16,6 +16,7 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
       ->capture_default_str();
   command.add_option("--report", options.report, "Write times, counts and decision tallies to this JSON file")
       ->type_name("FILE");
+  add_limit_options(command, options.limits);
   command.set_version_flag("--version", "sightline " SIGHTLINE_VERSION, "Print the version and exit");
 }
 
@@ -33,6 +34,7 @@ void check(CommonOptions& options) {
     throw UsageError("--engine " + options.engine + ": no such engine (front-to-back, cells, hybrid)");
   }
   if (options.threads == 0) options.threads = std::max(1u, std::thread::hardware_concurrency());
+  apply(options.limits, options.threads);
 }
 
 }  // namespace sightline::app

@@ -1,6 +1,8 @@
 // What all subcommands have in common.
 #pragma once
 
+#include "app/limits.hpp"
+
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -19,13 +21,15 @@ struct CommonOptions {
   std::filesystem::path report;
   bool quiet = false;
   bool json = false;
+  LimitOptions limits;
 };
 
 /// Adds them to a subcommand. Values are checked when `check` is called, after parsing.
 void add_common_options(CLI::App& command, CommonOptions& options);
-/// Those of them that concern the run and not the scene or the messages: --threads, --engine, --report, --version.
+/// Those of them that concern the run and not the scene or the messages: --threads, --engine, --report,
+/// --max-memory, --timeout, --version.
 void add_run_options(CLI::App& command, CommonOptions& options);
-/// Throws UsageError; fills in the number of threads.
+/// Throws UsageError; fills in the number of threads and sets the limits: what a command does first.
 void check(CommonOptions& options);
 
 /// The subcommands: each adds itself to the root; when it is chosen on the command line it sets `run`, which returns

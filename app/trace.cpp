@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <new>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -122,6 +123,10 @@ std::vector<CameraFigures> trace_all(const std::function<TraceOne()>& make_trace
       if (!worker.trace) worker.trace = make_tracer();
       figures[k] = worker.trace(cameras[k], worker.map);
       writer.write(k, worker.map, scene);
+    } catch (const OutputError&) {
+      throw;  // no fault of the camera's: the next would not be written either
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& error) {
       figures[k].error = error.what();
       worker.trace = {};  // its buffers may be in any state

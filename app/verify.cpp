@@ -84,7 +84,7 @@ void add_verify_command(CLI::App& root, Run& run) {
       "SCENE MAP.json [MAP.json ..] and all other options are passed to the separate program sightline-verify: "
       "--snap,\n"
       "--one-sided, --cameras FILE, --limit N, --json, -q.\n"
-      "Exit code 0: every map is right; 1: a fault was found; 3: bad input.");
+      "Exit code 0: every map is right; 1: a fault was found; 3: bad input; 5: a limit was reached.");
   auto command = std::make_shared<VerifyCommand>();
   add_run_options(*sub, command->common);
   sub->allow_extras();

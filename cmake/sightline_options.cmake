@@ -4,7 +4,8 @@ option(SIGHTLINE_BENCH "Build the benchmarks" OFF)
 option(SIGHTLINE_EXAMPLES "Build the examples" OFF)
 option(SIGHTLINE_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
 option(SIGHTLINE_WERROR "Treat warnings as errors" OFF)
-option(SIGHTLINE_SANITIZE "Build with address and undefined-behaviour sanitizers" OFF)
+set(SIGHTLINE_SANITIZE "" CACHE STRING "Build with these sanitizers: address,undefined or thread")
+option(SIGHTLINE_FUZZ "Make the harnesses of tests/fuzz libFuzzer programs (clang)" OFF)
 
 include(GNUInstallDirs)
 
@@ -32,7 +33,20 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # GCC 12 warns of overlap in std::string's own operator+ (GCC bug 105329).
   target_compile_options(sightline_flags INTERFACE -Wno-restrict)
 endif()
+# Optimising tests takes longer than the tests; what they test is optimised as it is for users.
+set(SIGHTLINE_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
 if(SIGHTLINE_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
-  add_link_options(-fsanitize=address,undefined)
+  set(SIGHTLINE_TEST_OPTIMISATION -O0)
+endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # Clang's -Wconversion warns of changes of sign too, GCC's does not.
+  target_compile_options(sightline_flags INTERFACE -Wno-sign-conversion)
+endif()
+if(SIGHTLINE_SANITIZE)
+  add_compile_options(-fsanitize=${SIGHTLINE_SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${SIGHTLINE_SANITIZE})
+endif()
+if(SIGHTLINE_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+  add_link_options(-fsanitize=fuzzer-no-link)
 endif()

@@ -46,9 +46,7 @@ void send(int pipe, char what, const std::string& text) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int fault : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGINT, SIGTERM}) std::signal(fault, SIG_DFL);
   limit(RLIMIT_CPU, std::ceil(limits.seconds));
-#ifndef __SANITIZE_ADDRESS__  // which maps more than any limit
   limit(RLIMIT_AS, address_space() + limits.gigabytes * 1e9);
-#endif
   limit(RLIMIT_CORE, 0);
   if (const int silent = open("/dev/null", O_WRONLY); silent >= 0) dup2(silent, STDERR_FILENO);
   try {

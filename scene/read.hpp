@@ -25,5 +25,8 @@ void write_cameras(const std::filesystem::path& file, std::span<const CameraLine
 /// Writes text to a temporary file beside `file` and renames it: an interrupted run leaves no half file.
 /// Throws std::system_error.
 void write_file(const std::filesystem::path& file, std::string_view content);
+/// Removes the temporary files of every write_file that has not come to its end, which then never does: call it right
+/// before the process ends. Allocates nothing.
+void remove_temporary_files() noexcept;
 
 }  // namespace sightline

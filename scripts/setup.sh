@@ -12,6 +12,7 @@ packages=(
   libcgal-dev                           # the slow, independent way to the same answers: tests and sightline-verify
   libgtest-dev librapidcheck-dev libbenchmark-dev
   valgrind                              # counts instructions: tests/instructions
+  clang libclang-rt-dev llvm            # the builds under sanitizers, fuzzing; names in their traces
 )
 peers=(
   libgl2ps-dev

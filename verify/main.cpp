@@ -2,10 +2,15 @@
 #include "verify/exact.hpp"
 #include "verify/verify.hpp"
 
+#include <gmp.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <sstream>
 #include <thread>
 #include <utility>
@@ -14,7 +19,7 @@ namespace {
 
 using namespace sightline::verify;
 
-constexpr int all_right = 0, fault_found = 1, wrong_usage = 2, bad_input = 3;
+constexpr int all_right = 0, fault_found = 1, wrong_usage = 2, bad_input = 3, limit_reached = 5;
 
 constexpr const char* help = R"(usage: sightline-verify SCENE MAP.json [MAP.json ..] [options]
 
@@ -29,7 +34,7 @@ Proves that visibility maps are right for a scene (.obj, .ply, .off, .stl), or n
   -q, --quiet      print faults only
   --version, -h, --help
 
-Exit code: 0 every map is right; 1 a fault was found; 2 wrong usage; 3 bad input.
+Exit code: 0 every map is right; 1 a fault was found; 2 wrong usage; 3 bad input; 5 out of memory.
 )";
 
 struct Usage {
@@ -197,9 +202,27 @@ int run(const Arguments& arguments) {
   return right ? all_right : fault_found;
 }
 
+/// Ends the process wherever it is: GMP's own functions would abort it.
+[[noreturn]] void out_of_memory() {
+  constexpr char line[] = "sightline-verify: out of memory\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, line, sizeof line - 1);
+  _exit(limit_reached);
+}
+void* allocated(void* memory) {
+  if (memory == nullptr) out_of_memory();
+  return memory;
+}
+void watch_memory() {
+  std::set_new_handler(out_of_memory);
+  mp_set_memory_functions([](std::size_t bytes) { return allocated(std::malloc(bytes)); },
+                          [](void* old, std::size_t, std::size_t bytes) { return allocated(std::realloc(old, bytes)); },
+                          [](void* memory, std::size_t) { std::free(memory); });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  watch_memory();
   try {
     const Arguments arguments = parse(argc, argv);
     return arguments.done ? all_right : run(arguments);

@@ -7,6 +7,7 @@
 #include "compare/plain/predicates.hpp"
 #include "exact/tally.hpp"
 
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -45,6 +46,7 @@ bool reply(const Guarded& ended) { return send(STDIN_FILENO, ended.why.empty() ?
 
 int main() {
   std::signal(SIGPIPE, SIG_IGN);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // however the command ends
   std::string message;
   if (!receive(STDIN_FILENO, message)) return 1;
   const Scene scene = unpacked_scene(message);

@@ -32,7 +32,7 @@ void redirect(int to, const fs::path& file) {
 
 }  // namespace
 
-pid_t start(const fs::path& folder, const std::vector<std::string>& arguments) {
+pid_t start(const fs::path& folder, const std::vector<std::string>& arguments, void (*before)()) {
   std::vector<std::string> words{SIGHTLINE_COMMAND};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -45,6 +45,7 @@ pid_t start(const fs::path& folder, const std::vector<std::string>& arguments) {
     redirect(STDOUT_FILENO, out);
     redirect(STDERR_FILENO, err);
     if (chdir(folder.c_str()) != 0) _exit(126);
+    if (before != nullptr) before();
     execv(argv[0], argv.data());
     _exit(127);
   }
@@ -58,8 +59,8 @@ Ended wait(const fs::path& folder, pid_t child) {
           read(beside(folder, ".err"))};
 }
 
-Ended run(const fs::path& folder, const std::vector<std::string>& arguments) {
-  return wait(folder, start(folder, arguments));
+Ended run(const fs::path& folder, const std::vector<std::string>& arguments, void (*before)()) {
+  return wait(folder, start(folder, arguments, before));
 }
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }

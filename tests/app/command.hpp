@@ -19,9 +19,10 @@ struct Ended {
 /// An empty folder of this name for one test, made anew; the command runs in it.
 std::filesystem::path fresh_folder(const std::string& name);
 
-pid_t start(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+/// `before`: what the new process does before it becomes the command.
+pid_t start(const std::filesystem::path& folder, const std::vector<std::string>& arguments, void (*before)() = nullptr);
 Ended wait(const std::filesystem::path& folder, pid_t child);
-Ended run(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+Ended run(const std::filesystem::path& folder, const std::vector<std::string>& arguments, void (*before)() = nullptr);
 
 void write(const std::filesystem::path& file, const std::string& text);
 std::string read(const std::filesystem::path& file);
