@@ -65,11 +65,7 @@ void add_compare_command(CLI::App& root, Run& run) {
       ->required()
       ->type_name("SCENE|X.wp");
   sub->add_option("--cameras", command->cameras, "Cameras file")->required()->type_name("C");
-  std::string known;
-  for (const comparison::Kind& kind : comparison::kinds()) {
-    known += (known.empty() ? "" : ", ") + kind.name + (kind.sized ? ":N" : "");
-  }
-  sub->add_option("--methods", command->methods, "Names with commas between them: " + known)
+  sub->add_option("--methods", command->methods, "Names with commas between them: " + comparison::known_methods())
       ->required()
       ->type_name("LIST");
   sub->add_option("-o,--output", command->folder, "Folder for compare.json, .csv, .svg and .png; made if missing")

@@ -20,7 +20,7 @@ Prepared prepare(const MethodName& name, const Scene& scene, double& seconds) {
   Prepared out;
   const double start = thread_seconds();
   try {
-    out.method = name.kind->make(scene, name.size);
+    out.method = name.make(scene);
   } catch (const std::runtime_error& error) {
     out.why = error.what();
   }

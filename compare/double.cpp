@@ -91,6 +91,6 @@ class Double : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> make_double(const Scene& scene, unsigned) { return std::make_unique<Double>(scene); }
+std::unique_ptr<Method> make_double(const Scene& scene) { return std::make_unique<Double>(scene); }
 
 }  // namespace sightline::comparison

@@ -52,10 +52,8 @@ class Hybrid : public Engine<HybridTracer> {
 
 }  // namespace
 
-std::unique_ptr<Method> make_front_to_back(const Scene& scene, unsigned) {
-  return std::make_unique<FrontToBack>(scene);
-}
-std::unique_ptr<Method> make_cells(const Scene& scene, unsigned) { return std::make_unique<Cells>(scene); }
-std::unique_ptr<Method> make_hybrid(const Scene& scene, unsigned) { return std::make_unique<Hybrid>(scene); }
+std::unique_ptr<Method> make_front_to_back(const Scene& scene) { return std::make_unique<FrontToBack>(scene); }
+std::unique_ptr<Method> make_cells(const Scene& scene) { return std::make_unique<Cells>(scene); }
+std::unique_ptr<Method> make_hybrid(const Scene& scene) { return std::make_unique<Hybrid>(scene); }
 
 }  // namespace sightline::comparison

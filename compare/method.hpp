@@ -3,8 +3,11 @@
 
 #include "compare/answer.hpp"
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sightline::comparison {
@@ -48,30 +51,40 @@ class TimedMethod : public Method {
 /// The calling thread's own processor time: on a shared machine the wall clock measures the neighbours as well.
 double thread_seconds();
 
-/// Methods of one kind. Kinds of several settings are named `kind:N`.
+/// Prepares a method for a scene. What it throws is why there is none.
+using MakeMethod = std::function<std::unique_ptr<Method>(const Scene&)>;
+
+/// Methods of one kind. A kind of several settings is named `kind:SETTING`, and reads its setting itself.
 struct Kind {
   std::string name;
-  bool sized = false;  // has a number N, 1 to 16384
-  /// `size` is 0 for kinds without.
-  std::unique_ptr<Method> (*make)(const Scene& scene, unsigned size);
+  std::string form;  // of the setting, as a user is told it: "N"; empty for a kind without one
+  /// The setting is empty where the name has none. Throws std::invalid_argument with what it wants instead: "a number
+  /// of pixels from 1 to 16384".
+  MakeMethod (*parse)(const std::string& setting);
 };
 const std::vector<Kind>& kinds();
+/// `front-to-back, .., ids:N`: every kind with the form of its setting.
+std::string known_methods();
 
 /// A kind with its setting.
 struct MethodName {
   std::string text;
   const Kind* kind;
-  unsigned size;
+  MakeMethod make;
 };
 /// Names with commas between them. Throws std::invalid_argument, in one line, for a name that there is not, or that
 /// stands there twice.
 std::vector<MethodName> parse_methods(const std::string& list);
 
-// A kind is a file with such a function, and a line in methods.cpp. What they throw is why there is no method.
-std::unique_ptr<Method> make_front_to_back(const Scene& scene, unsigned);
-std::unique_ptr<Method> make_cells(const Scene& scene, unsigned);
-std::unique_ptr<Method> make_hybrid(const Scene& scene, unsigned);
-std::unique_ptr<Method> make_double(const Scene& scene, unsigned);
+/// The whole of a setting, or a part of it, as a number in decimal digits; nothing where it is no such number or not
+/// within the limits.
+std::optional<unsigned> setting_number(std::string_view text, unsigned least, unsigned most);
+
+// A kind is a file with such a function, or with a `parse` of its own, and a line in methods.cpp.
+std::unique_ptr<Method> make_front_to_back(const Scene& scene);
+std::unique_ptr<Method> make_cells(const Scene& scene);
+std::unique_ptr<Method> make_hybrid(const Scene& scene);
+std::unique_ptr<Method> make_double(const Scene& scene);
 std::unique_ptr<Method> make_ids(const Scene& scene, unsigned size);
 std::unique_ptr<Method> make_rays(const Scene& scene, unsigned size);
 

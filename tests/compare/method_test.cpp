@@ -27,8 +27,7 @@ TEST(Names, AreParsedOrRefused) {
   ASSERT_EQ(methods.size(), 4u);
   EXPECT_EQ(methods[1].text, "ids:64");
   EXPECT_EQ(methods[1].kind->name, "ids");
-  EXPECT_EQ(methods[1].size, 64u);
-  EXPECT_EQ(methods[2].size, 0u);
+  EXPECT_EQ(methods[2].kind->name, "front-to-back");
   EXPECT_NE(refusal("cells,magic").find("'magic': no such method (front-to-back, cells"), std::string::npos);
   EXPECT_NE(refusal("").find("no such method"), std::string::npos);
   EXPECT_NE(refusal("cells,").find("no such method"), std::string::npos);
@@ -37,6 +36,21 @@ TEST(Names, AreParsedOrRefused) {
   for (const char* bad : {"ids", "ids:", "ids:0", "ids:-1", "ids:12x", "ids:16385", "ids:99999999999999999999"}) {
     EXPECT_NE(refusal(bad).find("ids:N wants a number of pixels from 1 to 16384"), std::string::npos) << bad;
   }
+}
+
+TEST(Names, SettingsAreNumbers) {
+  EXPECT_EQ(setting_number("17", 1, 20), 17u);
+  EXPECT_EQ(setting_number("1", 1, 20), 1u);
+  EXPECT_EQ(setting_number("20", 1, 20), 20u);
+  for (const char* bad : {"", "0", "21", "-1", "+1", " 1", "1 ", "1x", "0x1", "1e1", "99999999999999999999"}) {
+    EXPECT_FALSE(setting_number(bad, 1, 20)) << bad;
+  }
+}
+
+const std::vector<std::string> image_space{"rays", "ids"};
+
+std::unique_ptr<Method> of_pixels(const std::string& kind, const Scene& scene, unsigned size) {
+  return parse_methods(kind + ":" + std::to_string(size)).front().make(scene);
 }
 
 /// What lies in the middle of every pixel, by the exact map.
@@ -54,11 +68,10 @@ Pixels sampled(const VisibilityMap& map, const Scene& scene, std::uint32_t size)
 
 TEST(ImageSpaceMethods, SeeWhatLiesInTheMiddleOfPixels) {
   const Views views("random", {.polygons = 200}, 3);
-  for (const Kind& kind : kinds()) {
-    if (!kind.sized || kind.make == nullptr) continue;
+  for (const std::string& kind : image_space) {
     std::uint32_t missed_before = ~0u;
     for (const unsigned size : {5u, 16u, 50u, 150u}) {
-      const auto method = kind.make(views.scene, size);
+      const auto method = of_pixels(kind, views.scene, size);
       std::uint32_t missed = 0;
       for (std::size_t k = 0; k < views.cameras.size(); ++k) {
         const VisibilityMap map = views.map(k);
@@ -68,7 +81,7 @@ TEST(ImageSpaceMethods, SeeWhatLiesInTheMiddleOfPixels) {
         Answer independent{{}, sampled(map, views.scene, size)};
         independent.reported = std::get<Pixels>(independent.shown).items;
         tidy(independent.reported);
-        EXPECT_EQ(measured.answer.reported, independent.reported) << kind.name << ' ' << size << ' ' << k;
+        EXPECT_EQ(measured.answer.reported, independent.reported) << kind << ' ' << size << ' ' << k;
         const Error error = reference.error_of(measured.answer), expected = reference.error_of(independent);
         EXPECT_EQ(error.missed, reference.visible() - independent.reported.size());
         EXPECT_EQ(error.falsely, 0u);
@@ -76,7 +89,7 @@ TEST(ImageSpaceMethods, SeeWhatLiesInTheMiddleOfPixels) {
         EXPECT_GT(error.wrong_area, 0);
         missed += error.missed;
       }
-      EXPECT_LT(missed, missed_before) << kind.name << ' ' << size;
+      EXPECT_LT(missed, missed_before) << kind << ' ' << size;
       missed_before = missed;
     }
   }
@@ -85,9 +98,8 @@ TEST(ImageSpaceMethods, SeeWhatLiesInTheMiddleOfPixels) {
 TEST(ImageSpaceMethods, ClosePlanesAndTheEyeAmongPolygons) {
   for (const char* name : {"maze", "rooms"}) {
     const Views views(name, {.rotate_degrees = 29}, 4);
-    for (const Kind& kind : kinds()) {
-      if (!kind.sized || kind.make == nullptr) continue;
-      const auto method = kind.make(views.scene, 64);
+    for (const std::string& kind : image_space) {
+      const auto method = of_pixels(kind, views.scene, 64);
       for (std::size_t k = 0; k < views.cameras.size(); ++k) {
         const VisibilityMap map = views.map(k);
         const Measured measured = method->view(views.cameras[k], 1);
@@ -95,7 +107,7 @@ TEST(ImageSpaceMethods, ClosePlanesAndTheEyeAmongPolygons) {
         const auto& items = std::get<Pixels>(measured.answer.shown).items;
         std::size_t different = 0;
         for (std::size_t i = 0; i < items.size(); ++i) different += items[i] != expected.items[i];
-        EXPECT_LT(different, 20u) << name << ' ' << kind.name << ' ' << k;  // middles that lie on edges
+        EXPECT_LT(different, 20u) << name << ' ' << kind << ' ' << k;  // middles that lie on edges
       }
     }
   }
@@ -115,11 +127,10 @@ TEST(ImageSpaceMethods, BacksOfOneSidedPolygonsAreNotSeen) {
     Tracer(tree).trace(camera, map);
     const Reference reference(map);
     EXPECT_EQ(reference.visible(), backwards ? 0u : 1u);
-    for (const Kind& kind : kinds()) {
-      if (!kind.sized || kind.make == nullptr) continue;
-      const Error error = reference.error_of(kind.make(scene, 20)->view(camera, 1).answer);
-      EXPECT_EQ(error.missed + error.falsely, 0u) << kind.name;
-      EXPECT_LT(error.wrong_area, 1e-12) << kind.name;  // the square's sides are sides of pixels
+    for (const std::string& kind : image_space) {
+      const Error error = reference.error_of(of_pixels(kind, scene, 20)->view(camera, 1).answer);
+      EXPECT_EQ(error.missed + error.falsely, 0u) << kind;
+      EXPECT_LT(error.wrong_area, 1e-12) << kind;  // the square's sides are sides of pixels
     }
   }
 }
