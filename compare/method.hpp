@@ -42,6 +42,8 @@ class TimedMethod : public Method {
   Measured view(const Camera& camera, double usual) final;
 
  protected:
+  /// Makes what a view needs and other views may need again; not timed.
+  virtual void approach(const Camera&) {}
   /// Finds out what the camera sees and keeps it: this is what is timed.
   virtual void look(const Camera& camera) = 0;
   /// What was seen last.
@@ -87,5 +89,6 @@ std::unique_ptr<Method> make_hybrid(const Scene& scene);
 std::unique_ptr<Method> make_double(const Scene& scene);
 std::unique_ptr<Method> make_ids(const Scene& scene, unsigned size);
 std::unique_ptr<Method> make_rays(const Scene& scene, unsigned size);
+MakeMethod parse_field(const std::string& setting);
 
 }  // namespace sightline::comparison

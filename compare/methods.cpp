@@ -32,6 +32,7 @@ const std::vector<Kind>& kinds() {
       {"double", "", plain<make_double>},
       {"rays", "N", of_pixels<make_rays>},
       {"ids", "N", of_pixels<make_ids>},
+      {"field", "UxVxSxT:IDS", parse_field},
   };
   return all;
 }

@@ -16,6 +16,7 @@ double thread_seconds() {
 Measured TimedMethod::view(const Camera& camera, double) {
   Measured out;
   try {
+    approach(camera);
     const auto timed = [&] {
       const double start = thread_seconds();
       look(camera);
