@@ -2,6 +2,8 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+#include <system_error>
 
 namespace sightline::app {
 
@@ -16,7 +18,12 @@ class UsageError : public std::runtime_error {
 /// A file or folder that cannot be written: what() is one line (exit code 3).
 class OutputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit OutputError(const std::string& what, std::error_code why = {}) : std::runtime_error(what), why_(why) {}
+  /// Does a folder stand where the file would? Then others beside it may be written all the same.
+  bool of_this_file() const { return why_ == std::errc::is_a_directory; }
+
+ private:
+  std::error_code why_;
 };
 
 }  // namespace sightline::app

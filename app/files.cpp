@@ -39,7 +39,7 @@ void write_safely(const std::filesystem::path& file, const std::function<void()>
   try {
     write();
   } catch (const std::system_error& error) {
-    throw OutputError("cannot write " + file.string() + ": " + error.code().message());
+    throw OutputError("cannot write " + file.string() + ": " + error.code().message(), error.code());
   }
 }
 

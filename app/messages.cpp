@@ -45,8 +45,12 @@ void Progress::step() {
 }
 
 void Progress::draw(std::size_t done) {
+  if (total_ == 0) {
+    std::fprintf(stderr, "\r%s %zu", what_.c_str(), done);
+    return;
+  }
   constexpr std::size_t width = 40;
-  const std::size_t filled = total_ == 0 ? width : width * done / total_;
+  const std::size_t filled = width * done / total_;
   const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
   std::fprintf(stderr, "\r%s [%s] %zu/%zu", what_.c_str(), bar.c_str(), done, total_);
 }

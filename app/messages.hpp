@@ -14,7 +14,8 @@ void complain(const std::string& text);
 /// The same without the name, left out when quiet.
 void tell(const std::string& text, bool quiet);
 
-/// A bar on standard error, drawn only on a terminal, at most ten times a second.
+/// A bar on standard error, or a number where there is no total (0), drawn only on a terminal, at most ten times a
+/// second.
 class Progress {
  public:
   Progress(std::string what, std::size_t total, bool quiet);

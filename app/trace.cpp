@@ -1,16 +1,17 @@
 // sightline trace SCENE|X.wp --cameras C -o DIR
 #include "beam/trace.hpp"
 
+#include "app/camera_source.hpp"
 #include "app/describe.hpp"
 #include "app/exit_codes.hpp"
 #include "app/files.hpp"
+#include "app/map_writer.hpp"
 #include "app/messages.hpp"
 #include "app/report.hpp"
 #include "app/stopwatch.hpp"
 #include "bsp/build.hpp"
 #include "clip/hybrid.hpp"
-#include "scene/read.hpp"
-#include "visibility_map/write.hpp"
+#include "scene/errors.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -23,7 +24,6 @@
 #include <new>
 #include <optional>
 #include <set>
-#include <sstream>
 
 namespace sightline::app {
 
@@ -35,55 +35,6 @@ struct TraceCommand {
   std::string formats = "map";
   TraceOptions options;
   std::vector<double> window;  // low s, low t, high s, high t
-};
-
-/// The names between the commas.
-std::set<std::string> checked_formats(const std::string& list) {
-  static const std::set<std::string> known{"map", "svg", "png", "pdf", "csv"};
-  std::set<std::string> formats;
-  std::istringstream names(list + ",");
-  for (std::string name; std::getline(names, name, ',');) {
-    if (!known.contains(name)) throw UsageError("--format " + list + ": formats are map, svg, png, pdf, csv");
-    formats.insert(name);
-  }
-  return formats;
-}
-
-/// Files of one camera after the other: DIR/0000.map.json, DIR/0000.svg, ..
-class MapWriter {
- public:
-  MapWriter(const std::filesystem::path& folder, const std::set<std::string>& formats, std::size_t cameras)
-      : folder_(folder), formats_(formats), csv_(cameras) {}
-
-  /// From any thread, for different cameras at a time.
-  void write(std::size_t camera, const VisibilityMap& map, const Scene& scene) {
-    if (wants("map")) write_text(name(camera, ".map.json"), map_json(map, scene));
-    if (wants("svg")) write_text(name(camera, ".svg"), map_svg(map, scene));
-    if (wants("png")) {
-      const auto file = name(camera, ".png");
-      write_safely(file, [&] { write_map_png(file, map, scene); });
-    }
-    if (wants("pdf")) {
-      const auto file = name(camera, ".pdf");
-      write_safely(file, [&] { write_map_pdf(file, map, scene); });
-    }
-    if (wants("csv")) csv_[camera] = map_csv(map, scene, camera);
-  }
-  /// After the last camera: what is one file for all.
-  void finish() {
-    if (!wants("csv")) return;
-    std::string text = csv_header;
-    for (const std::string& rows : csv_) text += rows;
-    write_text(folder_ / "visibility.csv", text);
-  }
-
- private:
-  bool wants(const std::string& format) const { return formats_.contains(format); }
-  std::filesystem::path name(std::size_t camera, const char* ending) const { return numbered(folder_, camera, ending); }
-
-  std::filesystem::path folder_;
-  std::set<std::string> formats_;
-  std::vector<std::string> csv_;
 };
 
 /// What makes a camera's map, and its figures; for one thread.
@@ -106,39 +57,63 @@ TraceOne one_of(const HybridTracer& prepared) {
       };
 }
 
-/// Traces all cameras and writes their maps; a camera that fails leaves its reason in its figures.
-std::vector<CameraFigures> trace_all(const std::function<TraceOne()>& make_tracer, const Scene& scene,
-                                     const std::vector<Camera>& cameras, MapWriter& writer,
-                                     const CommonOptions& options) {
+/// Traces all cameras, those of the source's first batch at first, and writes their maps. Gives how many were traced; a
+/// camera that fails is complained of. `figures` of all of them, where there are any to be told.
+struct Traced {
+  std::size_t cameras = 0, failed = 0;
+};
+Traced trace_all(const std::function<TraceOne()>& make_tracer, const Scene& scene, CameraSource& source,
+                 MapWriter& writer, const CommonOptions& options, std::vector<CameraFigures>* figures) {
   struct Worker {
     TraceOne trace;
     VisibilityMap map;
   };
-  std::vector<CameraFigures> figures(cameras.size());
-  Progress progress("tracing", cameras.size(), options.quiet);
+  Traced traced;
+  std::vector<CameraFigures> batch;
+  Progress progress("tracing", source.total().value_or(0), options.quiet);
   tbb::enumerable_thread_specific<Worker> workers;
   const auto trace_one = [&](std::size_t k) {
     Worker& worker = workers.local();
     try {
       if (!worker.trace) worker.trace = make_tracer();
-      figures[k] = worker.trace(cameras[k], worker.map);
-      writer.write(k, worker.map, scene);
-    } catch (const OutputError&) {
-      throw;  // no fault of the camera's: the next would not be written either
+      batch[k] = worker.trace(source.cameras()[k], worker.map);
+      writer.write(k, traced.cameras + k, worker.map, scene);
+    } catch (const OutputError& error) {
+      if (!error.of_this_file()) throw;  // the next would not be written either
+      batch[k].error = error.what();
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
-      figures[k].error = error.what();
+      batch[k].error = error.what();
       worker.trace = {};  // its buffers may be in any state
     }
     progress.step();
   };
   tbb::task_arena arena(static_cast<int>(options.threads));
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), trace_one, tbb::simple_partitioner()); });
-  return figures;
+  for (;;) {
+    const std::size_t count = source.cameras().size();
+    batch.assign(count, {});
+    writer.begin(count);
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, trace_one, tbb::simple_partitioner()); });
+    writer.end();
+    for (std::size_t k = 0; k < count; ++k) {
+      if (batch[k].error.empty()) continue;
+      complain("camera " + std::to_string(traced.cameras + k) + " failed: " + batch[k].error);
+      ++traced.failed;
+    }
+    traced.cameras += count;
+    if (figures) figures->insert(figures->end(), batch.begin(), batch.end());
+    if (source.ended()) break;
+    try {
+      source.next();
+    } catch (const InputError&) {
+      writer.finish();  // what came before the fault is right
+      throw;
+    }
+  }
+  writer.finish();
+  return traced;
 }
-
-constexpr std::size_t few_cameras = 16;  // below this many a tree is divided only where they look
 
 /// The complex of a .wp file, or one built now; with its figures.
 ComplexFigures complex_of(Input& input) {
@@ -169,16 +144,8 @@ int trace_cameras(TraceCommand& command) {
     throw UsageError("--max-distance: not with --engine hybrid");
   }
   const Stopwatch watch;
-  std::vector<Camera> cameras = read_cameras(command.cameras);
-  if (cameras.empty()) throw InputError(command.cameras.string() + ": no camera in it");
-  if (!command.window.empty()) {
-    const auto& w = command.window;
-    try {
-      for (Camera& camera : cameras) camera = crop(camera, {w[0], w[1]}, {w[2], w[3]});
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(std::string("--window: ") + error.what());
-    }
-  }
+  CameraSource cameras(command.cameras, command.window);
+  cameras.next();
   Input input = read_input(command.input, command.common);
   make_folder(command.folder);
   tell(describe(input.scene), command.common.quiet);
@@ -187,8 +154,8 @@ int trace_cameras(TraceCommand& command) {
   Report report{"trace", input.scene, {}, {}, 0, done};
   std::optional<BspTree> tree;
   // Threads that have no camera of their own share one.
-  const auto count = static_cast<unsigned>(cameras.size());
-  command.options.threads = std::max(1u, command.common.threads / std::max(1u, count));
+  const auto count = static_cast<unsigned>(cameras.cameras().size());
+  command.options.threads = cameras.ended() ? std::max(1u, command.common.threads / std::max(1u, count)) : 1;
   std::function<TraceOne()> make_tracer;
   if (engine == "cells") {
     report.complex = complex_of(input);
@@ -202,7 +169,7 @@ int trace_cameras(TraceCommand& command) {
     make_tracer = [tracer = std::move(tracer)] { return one_of(tracer); };
   } else {
     const Stopwatch growing;
-    const bool lazy = cameras.size() < few_cameras;
+    const bool lazy = cameras.ended() && count < few_cameras;
     tree.emplace(input.scene, TreeOptions{lazy, command.common.threads});
     report.complex = figures_of(*tree);
     report.complex->seconds = growing.seconds();
@@ -211,19 +178,15 @@ int trace_cameras(TraceCommand& command) {
   }
   if (report.complex->cells > 0) tell(describe(*report.complex), command.common.quiet);
 
-  MapWriter writer(command.folder, formats, cameras.size());
-  report.cameras = trace_all(make_tracer, input.scene, cameras, writer, command.common);
-  writer.finish();
-  std::size_t failed = 0;
-  for (std::size_t k = 0; k < cameras.size(); ++k) {
-    if (report.cameras[k].error.empty()) continue;
-    complain("camera " + std::to_string(k) + " failed: " + report.cameras[k].error);
-    ++failed;
-  }
-  report.exit_code = failed == 0 ? done : some_failed;
+  MapWriter writer(command.folder, formats);
+  const bool tells = command.common.json || !command.common.report.empty();
+  const Traced traced =
+      trace_all(make_tracer, input.scene, cameras, writer, command.common, tells ? &report.cameras : nullptr);
+  report.exit_code = traced.failed == 0 ? done : some_failed;
   report.seconds = watch.seconds();
   publish(report, command.common);
-  tell(counted(cameras.size() - failed, "camera") + " traced to " + command.folder.string(), command.common.quiet);
+  tell(counted(traced.cameras - traced.failed, "camera") + " traced to " + command.folder.string(),
+       command.common.quiet);
   return report.exit_code;
 }
 
@@ -235,7 +198,9 @@ void add_trace_command(CLI::App& root, Run& run) {
   sub->add_option("scene", command->input, "Polygon file, or .wp file of `sightline build`")
       ->required()
       ->type_name("SCENE|X.wp");
-  sub->add_option("--cameras", command->cameras, "Cameras file")->required()->type_name("C");
+  sub->add_option("--cameras", command->cameras, "Cameras file; /dev/stdin: as they come, in constant memory")
+      ->required()
+      ->type_name("C");
   sub->add_option("-o,--output", command->folder, "Folder for the maps; made if missing")->required()->type_name("DIR");
   sub->add_option("--format", command->formats, "What to write: map, svg, png, pdf, csv")
       ->type_name("LIST")

@@ -2,7 +2,10 @@
 #include "tests/app/command.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace sightline::test {
@@ -136,6 +139,51 @@ TEST(Trace, AFailingCameraLeavesTheOthers) {
   const Json report = Json::parse(read(folder / "r.json"));
   EXPECT_TRUE(report["cameras"][1].contains("error"));
   EXPECT_FALSE(report["cameras"][2].contains("error"));
+}
+
+/// Runs the command on cameras that come through a pipe; gives how it ended and its peak of memory in kilobytes.
+std::pair<Ended, long> run_with_pipe(const std::filesystem::path& folder, const std::string& cameras, int times,
+                                     const std::string& maps) {
+  const auto pipe = folder / "pipe";
+  std::filesystem::remove(pipe);
+  if (mkfifo(pipe.c_str(), 0600) != 0) throw std::runtime_error("mkfifo");
+  const pid_t child = start(folder, {"trace", "m.obj", "--cameras", "pipe", "-o", maps, "--format", "csv", "-q"});
+  std::FILE* out = std::fopen(pipe.c_str(), "w");
+  for (int k = 0; k < times; ++k) std::fwrite(cameras.data(), 1, cameras.size(), out);
+  std::fclose(out);
+  const Ended ended = wait(folder, child);
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return {ended, usage.ru_maxrss};
+}
+
+// RUSAGE_CHILDREN keeps the largest of all children so far, so the short run comes first.
+TEST(Trace, CamerasFromAPipeInConstantMemory) {
+  const auto folder = folder_with_model("pipe", "rooms", 50);
+  const std::string cameras = read(folder / "c.cameras");
+  const auto [few, little] = run_with_pipe(folder, cameras, 20, "few");
+  const auto [many, much] = run_with_pipe(folder, cameras, 120, "many");
+  EXPECT_EQ(few.code, 0) << few.err;
+  EXPECT_EQ(many.code, 0) << many.err;
+#ifndef __SANITIZE_ADDRESS__
+  EXPECT_LT(much - little, 2000);  // kilobytes; the table alone has 700 more
+#endif
+  std::string repeated;
+  for (int k = 0; k < 20; ++k) repeated += cameras;
+  write(folder / "repeated.cameras", repeated);
+  ASSERT_EQ(run(folder, {"trace", "m.obj", "--cameras", "repeated.cameras", "-o", "file", "--format", "csv"}).code, 0);
+  EXPECT_EQ(read(folder / "few/visibility.csv"), read(folder / "file/visibility.csv"));
+}
+
+TEST(Trace, WhatComesThroughAPipeBeforeAFaultIsDone) {
+  const auto folder = folder_with_model("pipe_fault", "rooms", 30);
+  const std::string cameras = read(folder / "c.cameras");
+  const Ended ended = run_with_pipe(folder, cameras + "1 2 x\n" + cameras, 1, "maps").first;
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_EQ(ended.err, "sightline: pipe:31: camera 30: 'x' is not a number\n");
+  write(folder / "c.cameras", cameras);
+  ASSERT_EQ(run(folder, {"trace", "m.obj", "--cameras", "c.cameras", "-o", "file", "--format", "csv"}).code, 0);
+  EXPECT_EQ(files_below(folder / "maps"), files_below(folder / "file"));
 }
 
 TEST(Trace, WhatIsLeftOutIsReported) {
