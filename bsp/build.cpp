@@ -35,6 +35,21 @@ void enlarged_box(const Scene& scene, Integer lower[3], Integer upper[3]) {
   }
 }
 
+/// What a building's complex comes to, a surface: arrays that grow are copied, and hold both copies for a while.
+void make_room(Complex& complex, std::size_t surfaces) {
+  complex.vertices.reserve(4 * surfaces);
+  complex.edges.reserve(8 * surfaces);
+  complex.faces.reserve(5 * surfaces);
+  complex.cells.reserve(surfaces);
+  complex.pairs.reserve(24 * surfaces);
+}
+
+/// Gives back what a long list took that is short now.
+template <class Item>
+void trim(std::vector<Item>& list) {
+  if (list.capacity() > 4096 && list.size() < list.capacity() / 4) list.shrink_to_fit();
+}
+
 class Builder {
  public:
   Builder(const Scene& scene, Complex& complex, const ChoiceWeights& weights)
@@ -89,6 +104,7 @@ class Builder {
     front.first = waiting_.size();
     tasks_.push_back(front);
     waiting_.insert(waiting_.end(), front_.begin(), front_.end());
+    for (auto* list : {&waiting_, &here_, &on_, &behind_, &front_}) trim(*list);
   }
 
   void distribute(PlaneId plane) {
@@ -142,6 +158,7 @@ Complex build(const Scene& scene, const BuildOptions& options, BuildStats* stats
   Integer lower[3], upper[3];
   enlarged_box(scene, lower, upper);
   Complex complex = make_box(scene, lower, upper);
+  make_room(complex, scene.surfaces().size());
   Builder builder(scene, complex, options.weights);
   builder.run();
   if (stats) {
