@@ -59,10 +59,11 @@ void apply(const LimitOptions& options, unsigned threads) {
     std::snprintf(memory_line, sizeof memory_line,
                   "sightline: the limit of %llu bytes of memory is reached (--max-memory)\n",
                   static_cast<unsigned long long>(options.memory));
-    // Linux counts private writable memory, the stacks of threads at their full size whatever they use of it.
+    // Linux counts private writable memory: the stacks of threads (workers and the one that waits for signals, not the
+    // main thread) at their full size, whatever they use of it.
     rlimit stack{};
     getrlimit(RLIMIT_STACK, &stack);
-    const rlim_t stacks = std::min<rlim_t>(stack.rlim_cur, rlim_t{64} << 20) * (threads + 1);
+    const rlim_t stacks = std::min<rlim_t>(stack.rlim_cur, rlim_t{64} << 20) * threads;
     rlimit data{};
     getrlimit(RLIMIT_DATA, &data);
     const rlim_t wanted = options.memory > RLIM_INFINITY / 2 ? RLIM_INFINITY : options.memory + stacks;

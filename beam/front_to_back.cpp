@@ -43,7 +43,13 @@ class FrontToBack : public Engine {
   /// What has been seen in the plane of a node.
   struct Seen {
     Patch patch;
-    std::uint32_t first, count;  // in seen_on_
+    std::uint32_t last;  // in seen_on_
+  };
+  /// Surfaces that share a place, linked from the last one on. Patches that are cut share what comes before: of n
+  /// copies of a polygon there are n links, where lists of their own would hold n^2 / 2 surfaces.
+  struct SeenOn {
+    SurfaceId surface;
+    std::uint32_t before;  // in seen_on_; none: it is the first
   };
 
   void add_seen(const Seen& seen) {
@@ -63,7 +69,8 @@ class FrontToBack : public Engine {
   std::vector<SightlineRef> lines_;  // its outline, once it is needed
   std::vector<Seen> seen_;
   BoxGroups seen_boxes_;
-  std::vector<SurfaceId> seen_on_;
+  std::vector<SeenOn> seen_on_;
+  std::vector<SurfaceId> on_;
   std::vector<float> middles_;
 };
 
@@ -211,19 +218,17 @@ void FrontToBack::take_out(const TreeNode& node, Sign eye, std::size_t first) {
       if (!seen_[k].patch.bounds.meets(piece_bounds_)) continue;
       const Seen whole = seen_[k];
       if (!carve(whole.patch, piece, eye, inside, outside)) continue;
-      if (!outside.empty()) add_seen({outside, whole.first, whole.count});
-      const auto on = static_cast<std::uint32_t>(seen_on_.size());
-      for (std::uint32_t j = 0; j < whole.count; ++j) seen_on_.push_back(seen_on_[whole.first + j]);
-      seen_on_.insert(std::upper_bound(seen_on_.begin() + on, seen_on_.end(), piece.surface), piece.surface);
-      seen_[k] = {inside, on, whole.count + 1};
+      if (!outside.empty()) add_seen({outside, whole.last});
+      seen_[k] = {inside, static_cast<std::uint32_t>(seen_on_.size())};
+      seen_on_.push_back({piece.surface, whole.last});
     }
     std::size_t kept = first;
     const std::size_t end = open_.size();
     for (std::size_t k = first; k < end; ++k) {
       const Patch open = open_[k];
       if (carve(open, piece, eye, inside, outside)) {
-        add_seen({inside, static_cast<std::uint32_t>(seen_on_.size()), 1});
-        seen_on_.push_back(piece.surface);
+        add_seen({inside, static_cast<std::uint32_t>(seen_on_.size())});
+        seen_on_.push_back({piece.surface, none});
         keep_open(outside);
       } else {
         open_[kept++] = open;
@@ -232,7 +237,12 @@ void FrontToBack::take_out(const TreeNode& node, Sign eye, std::size_t first) {
     const auto begin = open_.begin();
     open_.erase(begin + static_cast<std::ptrdiff_t>(kept), begin + static_cast<std::ptrdiff_t>(end));
   }
-  for (const Seen& seen : seen_) see(seen.patch, std::span(seen_on_).subspan(seen.first, seen.count));
+  for (const Seen& seen : seen_) {
+    on_.clear();
+    for (std::uint32_t k = seen.last; k != none; k = seen_on_[k].before) on_.push_back(seen_on_[k].surface);
+    std::sort(on_.begin(), on_.end());
+    see(seen.patch, on_);
+  }
   seen_.clear();
   seen_boxes_.clear();
   seen_on_.clear();

@@ -57,7 +57,7 @@ void differences(const Drawing& drawing, const Drawing& other, const Agrees& agr
     heights.push_back(r.high.y);
   }
   std::ranges::sort(heights);
-  heights.erase(std::ranges::unique(heights).begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
 
   std::vector<const Rising*> active;
   std::vector<Passing> passing, sorted;

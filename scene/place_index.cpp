@@ -45,8 +45,11 @@ PlaceIndex::PlaceIndex(const PointTable& points, std::span<const PointId> member
   cells_ = cells_along(high - low, members.size());
   for (int k = 0; k < 3; ++k) {
     const double size = high[k] - low[k];
-    last_[k] = static_cast<double>(cells_[static_cast<std::size_t>(k)] - 1);
-    scale_[k] = size > 0 ? static_cast<double>(cells_[static_cast<std::size_t>(k)]) / size : 0;
+    std::size_t& cells = cells_[static_cast<std::size_t>(k)];
+    const double scale = static_cast<double>(cells) / size;
+    if (!std::isfinite(scale)) cells = 1;  // closer together than doubles can divide
+    scale_[k] = cells > 1 ? scale : 0;
+    last_[k] = static_cast<double>(cells - 1);
   }
   const auto cell_of = [&](PointId p) {
     std::size_t cell = 0;

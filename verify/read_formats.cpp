@@ -45,14 +45,23 @@ Soup read_binary_off(const std::string& file, std::string_view bytes) {
   return soup;
 }
 
+std::string small_letters(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return result;
+}
+
 }  // namespace
 
 Soup read_off(const std::string& file, std::string_view bytes) {
   Soup soup;
   Text text(file, bytes);
   if (!text.more()) text.fail("holds nothing");
-  const std::string_view key = text.token();
-  if (key != "OFF" && key != "COFF" && key != "NOFF" && key != "CNOFF") text.fail("does not begin with OFF");
+  std::string_view key = text.token();
+  for (const std::string_view prefix : {"ST", "C", "N"}) {
+    if (key.starts_with(prefix)) key.remove_prefix(prefix.size());
+  }
+  if (key != "OFF") text.fail("does not begin with OFF");
   if (text.more_on_line() && std::isalpha(static_cast<unsigned char>(*text.position()))) {
     if (text.token() != "BINARY") text.fail("an unknown kind of OFF");
     text.next_line();
@@ -91,7 +100,8 @@ Soup read_stl(const std::string& file, std::string_view bytes) {
     Bytes in(file, bytes.substr(80), false);
     const std::size_t count = in.next<std::uint32_t>();
     const bool whole = bytes.size() == 84 + 50 * count;
-    if (!whole && !bytes.starts_with("solid")) throw InputError(file + ": its size does not fit its triangle count");
+    if (!whole && small_letters(bytes.substr(0, 5)) != "solid")
+      throw InputError(file + ": its size does not fit its triangle count");
     if (whole) {
       for (std::size_t i = 0; i < count; ++i) {
         in.skip(12);
@@ -107,10 +117,10 @@ Soup read_stl(const std::string& file, std::string_view bytes) {
     }
   }
   Text text(file, bytes);
-  if (!text.more() || text.token() != "solid") text.fail("does not begin with solid");
+  if (!text.more() || small_letters(text.token()) != "solid") text.fail("does not begin with solid");
   bool ended = false;
   for (text.next_line(); text.more(); text.next_line()) {
-    const std::string_view key = text.token();
+    const std::string key = small_letters(text.token());
     if (key == "vertex") {
       std::array<double, 3> p{};
       for (double& x : p) x = text.number("a coordinate");

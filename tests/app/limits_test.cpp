@@ -94,11 +94,11 @@ TEST(Limits, Memory) {
 /// In the verifier it is GMP that runs out of memory.
 TEST(Limits, MemoryOfVerify) {
   if (sanitized) GTEST_SKIP() << "a sanitizer takes more memory than any limit leaves";
-  const auto folder = folder_with_model("memory_verify", {"city", "--polygons", "20000"}, camera);
+  const auto folder = folder_with_model("memory_verify", {"city", "--polygons", "60000"}, camera);
   ASSERT_EQ(run(folder, {"trace", "m.obj", "--cameras", "m.cameras", "-o", "maps"}).code, 0);
   const Words verify{"verify", "m.obj", "maps/0000.map.json", "--threads", "1"};
   EXPECT_EQ(run(folder, verify).code, 0);
-  const Ended ended = run(folder, with(verify, {"--max-memory", "4M"}));
+  const Ended ended = run(folder, with(verify, {"--max-memory", "1M"}));
   EXPECT_EQ(ended.code, 5) << ended.err;
   EXPECT_EQ(ended.err, "sightline-verify: out of memory\n");
 }

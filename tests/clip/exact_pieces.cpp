@@ -303,7 +303,8 @@ Rational ExactPieces::exact_area(PolygonId polygon, std::uint32_t camera) const 
   const Camera& c = cameras_[camera];
   const Point f = exact(c.forward), r = exact(c.right), u = exact(c.up);
   Rational sum = 0;
-  const auto [first, last] = std::ranges::equal_range(result_.pieces, polygon, {}, &ClipPiece::polygon);
+  const auto first = std::ranges::lower_bound(result_.pieces, polygon, {}, &ClipPiece::polygon);
+  const auto last = std::ranges::upper_bound(result_.pieces, polygon, {}, &ClipPiece::polygon);
   for (auto piece = first; piece != last; ++piece) {
     if (!lists(*piece, camera)) continue;
     const auto p = static_cast<std::size_t>(piece - result_.pieces.begin());

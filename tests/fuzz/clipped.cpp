@@ -6,6 +6,7 @@
 #include "clip/t_free.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "tests/fuzz/small_scene.hpp"
+#include "visibility_map/write.hpp"
 
 #include <set>
 

@@ -1,5 +1,6 @@
 // What stands behind --methods and --snap: the first byte says which.
 #include "compare/method.hpp"
+#include "scene/errors.hpp"
 #include "scene/scene.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "verify/exact.hpp"

@@ -1,6 +1,7 @@
 // A regions file of `clip`: refused in one line, or a clip with it ends.
 #include "clip/clip.hpp"
 #include "clip/files.hpp"
+#include "scene/errors.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 #include <optional>
