@@ -1,0 +1,235 @@
+#include "sample/bitfield_file.hpp"
+
+#include "sample/bitfield_hull.hpp"
+#include "sample/bitfield_patches.hpp"
+#include "sample/bitfield_viewpoints.hpp"
+#include "scene/readers.hpp"
+#include "scene/text_scanner.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace sightline {
+namespace {
+
+constexpr unsigned most_pixels = 16384;
+
+template <class Number>
+void append(std::string& text, Number value, int base = 10) {
+  char digits[40];
+  std::to_chars_result end{};
+  if constexpr (std::is_floating_point_v<Number>) {
+    end = std::to_chars(digits, digits + sizeof digits, value);
+  } else {
+    end = std::to_chars(digits, digits + sizeof digits, value, base);
+  }
+  text.append(digits, end.ptr);
+}
+
+void append(std::string& text, const glm::dvec3& v) {
+  for (int k = 0; k < 3; ++k) append(text += ' ', v[k]);
+}
+
+/// Lengths of runs of equal bits, zeros first.
+std::string runs_of(const IdBitfield& field) {
+  std::string text;
+  for (std::uint32_t at = 0, end = 0; at < field.size(); at = end) {
+    const bool set = field.test(at);
+    if (at == 0 && set) text += " 0";
+    while (end < field.size() && field.test(end) == set) ++end;
+    append(text += ' ', end - at);
+  }
+  return text;
+}
+
+std::string words_of(const IdBitfield& field) {
+  std::string text;
+  for (const std::uint64_t w : field.words()) append(text += ' ', w, 16);
+  return text;
+}
+
+class BitfieldReader {
+ public:
+  BitfieldReader(const std::string& file, std::string_view text, const Scene& scene)
+      : file_(file), in_(file, text, {.comments = false, .continuations = false}), scene_(scene) {}
+
+  BitfieldSamples read() {
+    read_header();
+    const std::uint32_t count = read_settings();
+    const std::uint32_t bits = out_.patch > 0 ? PolygonPatches(scene_, out_.patch).size() : scene_.polygon_count();
+    for (std::uint32_t k = 0; k < count; ++k) read_sample({"sample", k}, bits);
+    if (in_.find_token()) in_.fail({"end"}, "more than the samples that were announced");
+    check_directions();
+    return std::move(out_);
+  }
+
+ private:
+  void read_header() {
+    const Item item{"header"};
+    if (in_.token() != "sightline-bitfield") in_.fail(item, "not a bitfield file");
+    if (in_.integer(item, "version") != 1) in_.fail(item, "not version 1");
+    end_line(item);
+  }
+
+  std::uint32_t read_settings() {
+    word({"source"}, "source");
+    out_.source = in_.rest_of_line();
+    in_.next_line();
+    out_.polygons = setting("polygons", 0, none);
+    const std::size_t line = in_.line();
+    word({"scene"}, "scene");
+    out_.scene_number = hexadecimal({"scene"});
+    if (out_.polygons != scene_.polygon_count() || out_.scene_number != sightline::scene_number(scene_)) {
+      fail_input(file_, line, {"scene"},
+                 "these samples are of another scene, or of other options (--snap, --one-sided)");
+    }
+    end_line({"scene"});
+    word({"centre"}, "centre");
+    out_.centre = vector({"centre"});
+    end_line({"centre"});
+    word({"taken"}, "taken");
+    const std::string_view how = in_.token();
+    if (how != "exact" && how != "pixels") in_.fail({"taken"}, "neither exact nor pixels");
+    out_.exact = how == "exact";
+    if (!out_.exact) out_.pixels = number({"taken"}, "pixels", 1, most_pixels);
+    end_line({"taken"});
+    out_.fill_rounds = setting("fill", 0, std::numeric_limits<unsigned>::max());
+    out_.patch = setting("patch", 0, none);
+    return setting("samples", least_viewpoints, most_viewpoints);
+  }
+
+  void read_sample(const Item& item, std::uint32_t bits) {
+    word(item, "camera");
+    Camera camera;
+    for (glm::dvec3* v : {&camera.eye, &camera.forward, &camera.right, &camera.up}) *v = vector(item);
+    end_line(item);
+    out_.cameras.push_back(camera);
+    const std::string_view form = in_.token();
+    if (form != "runs" && form != "words") in_.fail(item, "neither runs nor words");
+    out_.fields.push_back(form == "runs" ? runs(item, bits) : words(item, bits));
+    end_line(item);
+  }
+
+  IdBitfield runs(const Item& item, std::uint32_t bits) {
+    IdBitfield field(bits);
+    std::uint32_t at = 0;
+    for (bool set = false; !in_.at_line_end(); set = !set) {
+      const std::uint32_t length = number(item, "run", 0, bits - at);
+      for (std::uint32_t k = 0; set && k < length; ++k) field.set(at + k);
+      at += length;
+    }
+    if (at != bits) in_.fail(item, "runs of " + std::to_string(at) + " bits, not " + std::to_string(bits));
+    return field;
+  }
+
+  IdBitfield words(const Item& item, std::uint32_t bits) {
+    IdBitfield field(bits);
+    for (std::uint32_t k = 0; k < field.words().size(); ++k) {
+      const std::uint64_t w = hexadecimal(item);
+      if (64 * std::uint64_t{k} + 64 - static_cast<unsigned>(std::countl_zero(w)) > bits && w != 0) {
+        in_.fail(item, "a bit beyond the last");
+      }
+      field.join_word(k, w);
+    }
+    return field;
+  }
+
+  void check_directions() {
+    try {
+      std::vector<ViewDirection> directions;
+      for (const Camera& c : out_.cameras) directions.push_back(view_direction(c.eye - out_.centre));
+      const ViewHull hull(std::move(directions));
+    } catch (const std::invalid_argument& error) {
+      fail_input(file_, 0, {"samples"}, error.what());
+    }
+  }
+
+  std::uint32_t setting(const char* name, std::uint32_t least, std::uint32_t most) {
+    word({name}, name);
+    const std::uint32_t value = number({name}, name, least, most);
+    end_line({name});
+    return value;
+  }
+
+  std::uint32_t number(const Item& item, const char* what, std::uint32_t least, std::uint32_t most) {
+    const std::int64_t value = in_.integer(item, what);
+    if (value < least || value > most)
+      in_.fail(item, std::string(what) + " " + std::to_string(value) + " out of range");
+    return static_cast<std::uint32_t>(value);
+  }
+
+  std::uint64_t hexadecimal(const Item& item) {
+    const std::string_view digits = in_.token();
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (error != std::errc() || end != digits.data() + digits.size()) {
+      in_.fail(item, digits.empty() ? "a number is missing" : quoted(digits) + " is no hexadecimal number");
+    }
+    return value;
+  }
+
+  glm::dvec3 vector(const Item& item) {
+    glm::dvec3 v;
+    for (int k = 0; k < 3; ++k) v[k] = in_.number(item, "coordinate");
+    return v;
+  }
+
+  void word(const Item& item, std::string_view expected) {
+    const std::string_view token = in_.token();
+    if (token == expected) return;
+    if (token.empty()) in_.fail(item, in_.at_end() ? "the file ends before it" : "missing");
+    in_.fail(item, quoted(token) + " where '" + std::string(expected) + "' should stand");
+  }
+
+  void end_line(const Item& item) {
+    if (!in_.at_line_end()) in_.fail(item, quoted(in_.token()) + " is too much");
+    if (in_.at_end()) in_.fail(item, "the file ends within it");
+    in_.next_line();
+  }
+
+  const std::string& file_;
+  TextScanner in_;
+  const Scene& scene_;
+  BitfieldSamples out_;
+};
+
+}  // namespace
+
+std::string bitfield_text(const BitfieldSamples& samples) {
+  std::string source = samples.source;
+  for (char& c : source) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  }
+  std::string text = "sightline-bitfield 1\nsource " + source + "\npolygons ";
+  append(text, samples.polygons);
+  append(text += "\nscene ", samples.scene_number, 16);
+  append(text += "\ncentre", samples.centre);
+  text += samples.exact ? "\ntaken exact" : "\ntaken pixels ";
+  if (!samples.exact) append(text, samples.pixels);
+  append(text += "\nfill ", samples.fill_rounds);
+  append(text += "\npatch ", samples.patch);
+  append(text += "\nsamples ", samples.cameras.size());
+  text += '\n';
+  for (std::size_t k = 0; k < samples.cameras.size(); ++k) {
+    const Camera& c = samples.cameras[k];
+    text += "camera";
+    for (const glm::dvec3* v : {&c.eye, &c.forward, &c.right, &c.up}) append(text, *v);
+    const std::string runs = runs_of(samples.fields[k]), words = words_of(samples.fields[k]);
+    text += runs.size() <= words.size() ? "\nruns" + runs : "\nwords" + words;
+    text += '\n';
+  }
+  return text;
+}
+
+BitfieldSamples parse_bitfield(const std::string& file, std::string_view text, const Scene& scene) {
+  return BitfieldReader(file, text, scene).read();
+}
+
+BitfieldSamples read_bitfield(const std::filesystem::path& file, const Scene& scene) {
+  return parse_bitfield(file.string(), load_file(file.string()), scene);
+}
+
+}  // namespace sightline

@@ -1,0 +1,19 @@
+// The `.bitfield` file: ASCII, as docs/bitfield.md describes it.
+#pragma once
+
+#include "sample/bitfield_samples.hpp"
+#include "scene/errors.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace sightline {
+
+/// The file's text. Law: reading it gives the same samples.
+std::string bitfield_text(const BitfieldSamples& samples);
+/// Reads samples of `scene`; `file` is the name for messages. Throws InputError naming file, line and item: for what is
+/// no such file, and for samples of another scene, or of the same one with other options.
+BitfieldSamples parse_bitfield(const std::string& file, std::string_view text, const Scene& scene);
+BitfieldSamples read_bitfield(const std::filesystem::path& file, const Scene& scene);
+
+}  // namespace sightline
