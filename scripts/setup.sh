@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache pkg-config
   libglm-dev libgmp-dev libcairo2-dev libpng-dev  # the library: vectors, integers, pictures
-  libtbb-dev libembree-dev              # threads, rays
+  libtbb-dev libembree-dev libroaring-dev  # threads, rays, bitmaps
   libcli11-dev                          # the command: options
   nlohmann-json3-dev libeigen3-dev
   libcgal-dev                           # the slow, independent way to the same answers: tests and sightline-verify
