@@ -71,6 +71,30 @@ Json photos_json(const PhotoFigures& p) {
           {"seconds", p.stats.seconds}};
 }
 
+Json bitfield_json(const BitfieldFigures& b) {
+  return {{"samples", b.samples},
+          {"exact", b.exact},
+          {"pixels", b.pixels},
+          {"bits", b.bits},
+          {"transparent", b.transparent},
+          {"faces", b.faces},
+          {"mean_list", b.mean_list},
+          {"seconds", b.seconds},
+          {"plain_bytes", b.plain_bytes},
+          {"hierarchical_bytes", b.hierarchical_bytes},
+          {"compressed_bytes", b.compressed_bytes},
+          {"list_bytes", b.list_bytes},
+          {"file_bytes", b.file_bytes}};
+}
+
+Json bitfield_view_json(std::size_t index, const BitfieldViewFigures& v) {
+  return {{"index", index},
+          {"seconds", v.seconds},
+          {"face", v.face == none ? Json() : Json(v.face)},
+          {"samples", v.samples},
+          {"polygons", v.polygons}};
+}
+
 Json camera_json(std::size_t index, const CameraFigures& c) {
   if (!c.error.empty()) return {{"index", index}, {"error", c.error}};
   return {{"index", index},   {"seconds", c.seconds}, {"beams", c.beams},       {"cells", c.cells},
@@ -117,7 +141,11 @@ std::string report_json(const Report& report, const CommonOptions& options) {
   if (report.complex) json["complex"] = complex_json(*report.complex);
   if (report.clip) json["clip"] = clip_json(*report.clip);
   if (report.photos) json["photos"] = photos_json(*report.photos);
+  if (report.bitfield) json["bitfield"] = bitfield_json(*report.bitfield);
   json["cameras"] = Json::array();
+  for (std::size_t k = 0; k < report.bitfield_views.size(); ++k) {
+    json["cameras"].push_back(bitfield_view_json(k, report.bitfield_views[k]));
+  }
   for (std::size_t k = 0; k < report.cameras.size(); ++k) json["cameras"].push_back(camera_json(k, report.cameras[k]));
   json["decisions"] = decisions_json();
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

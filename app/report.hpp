@@ -44,6 +44,26 @@ struct PhotoFigures {
   std::size_t pages = 0;
 };
 
+/// Of ID bitfields.
+struct BitfieldFigures {
+  std::size_t samples = 0;
+  bool exact = false;
+  unsigned pixels = 0;
+  std::size_t bits = 0;  // of each field
+  std::size_t transparent = 0, faces = 0;
+  std::size_t plain_bytes = 0, hierarchical_bytes = 0, compressed_bytes = 0, file_bytes = 0, list_bytes = 0;
+  double mean_list = 0;  // polygons, over the faces of the hull; 0 where no lists were made
+  double seconds = 0;    // build: for the samples; query: for what is made beforehand
+};
+
+/// Of one camera that was looked up in bitfields.
+struct BitfieldViewFigures {
+  double seconds = 0;
+  std::uint32_t face = 0;  // of the hull; none: the camera is that of an exact sample
+  std::vector<std::uint32_t> samples;
+  std::size_t polygons = 0;
+};
+
 struct Report {
   std::string command;
   std::optional<Scene> scene;
@@ -53,6 +73,8 @@ struct Report {
   int exit_code = 0;
   std::optional<ClipFigures> clip = {};
   std::optional<PhotoFigures> photos = {};
+  std::optional<BitfieldFigures> bitfield = {};
+  std::vector<BitfieldViewFigures> bitfield_views = {};
 };
 
 /// The report as JSON, with the decision tallies and the peak of memory of this process.

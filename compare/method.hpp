@@ -90,5 +90,7 @@ std::unique_ptr<Method> make_double(const Scene& scene);
 std::unique_ptr<Method> make_ids(const Scene& scene, unsigned size);
 std::unique_ptr<Method> make_rays(const Scene& scene, unsigned size);
 MakeMethod parse_field(const std::string& setting);
+MakeMethod parse_bitfield_method(const std::string& setting);
+MakeMethod parse_exact_bitfield_method(const std::string& setting);
 
 }  // namespace sightline::comparison

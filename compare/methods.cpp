@@ -33,6 +33,8 @@ const std::vector<Kind>& kinds() {
       {"rays", "N", of_pixels<make_rays>},
       {"ids", "N", of_pixels<make_ids>},
       {"field", "UxVxSxT:IDS", parse_field},
+      {"bitfield", "N", parse_bitfield_method},
+      {"bitfield-exact", "N", parse_exact_bitfield_method},
   };
   return all;
 }

@@ -1,7 +1,6 @@
 #include "sample/bitfield_file.hpp"
 
 #include "sample/bitfield_hull.hpp"
-#include "sample/bitfield_patches.hpp"
 #include "sample/bitfield_viewpoints.hpp"
 #include "scene/readers.hpp"
 #include "scene/text_scanner.hpp"
@@ -16,6 +15,7 @@ namespace sightline {
 namespace {
 
 constexpr unsigned most_pixels = 16384;
+constexpr std::uint64_t most_bits = std::uint64_t{1} << 34;  // in all fields: 2 GiB
 
 template <class Number>
 void append(std::string& text, Number value, int base = 10) {
@@ -53,14 +53,13 @@ std::string words_of(const IdBitfield& field) {
 
 class BitfieldReader {
  public:
-  BitfieldReader(const std::string& file, std::string_view text, const Scene& scene)
-      : file_(file), in_(file, text, {.comments = false, .continuations = false}), scene_(scene) {}
+  BitfieldReader(const std::string& file, std::string_view text)
+      : file_(file), in_(file, text, {.comments = false, .continuations = false}) {}
 
   BitfieldSamples read() {
     read_header();
     const std::uint32_t count = read_settings();
-    const std::uint32_t bits = out_.patch > 0 ? PolygonPatches(scene_, out_.patch).size() : scene_.polygon_count();
-    for (std::uint32_t k = 0; k < count; ++k) read_sample({"sample", k}, bits);
+    for (std::uint32_t k = 0; k < count; ++k) read_sample({"sample", k}, bits_);
     if (in_.find_token()) in_.fail({"end"}, "more than the samples that were announced");
     check_directions();
     return std::move(out_);
@@ -79,13 +78,8 @@ class BitfieldReader {
     out_.source = in_.rest_of_line();
     in_.next_line();
     out_.polygons = setting("polygons", 0, none);
-    const std::size_t line = in_.line();
     word({"scene"}, "scene");
     out_.scene_number = hexadecimal({"scene"});
-    if (out_.polygons != scene_.polygon_count() || out_.scene_number != sightline::scene_number(scene_)) {
-      fail_input(file_, line, {"scene"},
-                 "these samples are of another scene, or of other options (--snap, --one-sided)");
-    }
     end_line({"scene"});
     word({"centre"}, "centre");
     out_.centre = vector({"centre"});
@@ -97,8 +91,14 @@ class BitfieldReader {
     if (!out_.exact) out_.pixels = number({"taken"}, "pixels", 1, most_pixels);
     end_line({"taken"});
     out_.fill_rounds = setting("fill", 0, std::numeric_limits<unsigned>::max());
-    out_.patch = setting("patch", 0, none);
-    return setting("samples", least_viewpoints, most_viewpoints);
+    word({"patch"}, "patch");
+    out_.patch = number({"patch"}, "patch", 0, none);
+    bits_ = number({"patch"}, "bits", 0, out_.polygons);
+    if (out_.patch == 0 && bits_ != out_.polygons) in_.fail({"patch"}, "without patches there is a bit a polygon");
+    end_line({"patch"});
+    const std::uint32_t count = setting("samples", least_viewpoints, most_viewpoints);
+    if (std::uint64_t{count} * bits_ > most_bits) fail_input(file_, in_.line() - 1, {"samples"}, "too many bits");
+    return count;
   }
 
   void read_sample(const Item& item, std::uint32_t bits) {
@@ -192,8 +192,8 @@ class BitfieldReader {
 
   const std::string& file_;
   TextScanner in_;
-  const Scene& scene_;
   BitfieldSamples out_;
+  std::uint32_t bits_ = 0;  // of each field
 };
 
 }  // namespace
@@ -211,6 +211,7 @@ std::string bitfield_text(const BitfieldSamples& samples) {
   if (!samples.exact) append(text, samples.pixels);
   append(text += "\nfill ", samples.fill_rounds);
   append(text += "\npatch ", samples.patch);
+  append(text += ' ', samples.fields.empty() ? 0 : samples.fields.front().size());
   append(text += "\nsamples ", samples.cameras.size());
   text += '\n';
   for (std::size_t k = 0; k < samples.cameras.size(); ++k) {
@@ -224,12 +225,12 @@ std::string bitfield_text(const BitfieldSamples& samples) {
   return text;
 }
 
-BitfieldSamples parse_bitfield(const std::string& file, std::string_view text, const Scene& scene) {
-  return BitfieldReader(file, text, scene).read();
+BitfieldSamples parse_bitfield(const std::string& file, std::string_view text) {
+  return BitfieldReader(file, text).read();
 }
 
-BitfieldSamples read_bitfield(const std::filesystem::path& file, const Scene& scene) {
-  return parse_bitfield(file.string(), load_file(file.string()), scene);
+BitfieldSamples read_bitfield(const std::filesystem::path& file) {
+  return parse_bitfield(file.string(), load_file(file.string()));
 }
 
 }  // namespace sightline

@@ -11,9 +11,8 @@ namespace sightline {
 
 /// The file's text. Law: reading it gives the same samples.
 std::string bitfield_text(const BitfieldSamples& samples);
-/// Reads samples of `scene`; `file` is the name for messages. Throws InputError naming file, line and item: for what is
-/// no such file, and for samples of another scene, or of the same one with other options.
-BitfieldSamples parse_bitfield(const std::string& file, std::string_view text, const Scene& scene);
-BitfieldSamples read_bitfield(const std::filesystem::path& file, const Scene& scene);
+/// `file` is the name for messages. Throws InputError naming file, line and item.
+BitfieldSamples parse_bitfield(const std::string& file, std::string_view text);
+BitfieldSamples read_bitfield(const std::filesystem::path& file);
 
 }  // namespace sightline

@@ -103,6 +103,10 @@ bool same_camera(const Camera& a, const Camera& b) {
   return a.eye == b.eye && a.forward == b.forward && a.right == b.right && a.up == b.up;
 }
 
+bool samples_of(const BitfieldSamples& samples, const Scene& scene) {
+  return samples.polygons == scene.polygon_count() && samples.scene_number == scene_number(scene);
+}
+
 bool BitfieldSamples::operator==(const BitfieldSamples& o) const {
   const bool equal = source == o.source && polygons == o.polygons && scene_number == o.scene_number &&
                      centre == o.centre && exact == o.exact && pixels == o.pixels && fill_rounds == o.fill_rounds &&

@@ -48,6 +48,9 @@ struct BitfieldSamples {
 /// the same scene without those polygons gives. 3: threads change nothing.
 BitfieldSamples sample_bitfields(const Scene& scene, std::span<const Camera> cameras, const BitfieldSampling& options);
 
+/// Whether these samples are of this scene, and of the same options.
+bool samples_of(const BitfieldSamples& samples, const Scene& scene);
+
 /// Equal in all four vectors.
 bool same_camera(const Camera& a, const Camera& b);
 

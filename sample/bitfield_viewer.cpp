@@ -22,12 +22,16 @@ __int128 nearness(const ViewDirection& a, const ViewDirection& d) {
 
 }  // namespace
 
-BitfieldViewer::BitfieldViewer(const Scene& scene, BitfieldSamples samples, const BitfieldViewing& options)
+BitfieldViewer::BitfieldViewer(BitfieldSamples samples, const BitfieldViewing& options, const Scene* scene)
     : samples_(std::move(samples)), options_(options), hull_(hull_of(samples_)), at_corner_(samples_.cameras.size()) {
   const bool lists = options_.form == BitfieldViewing::lists;
   const unsigned n = options_.neighbours;
   if (n != 3 && n != 6 && (n != 1 || lists)) throw std::invalid_argument("3 or 6 neighbours, or 1 without lists");
-  if (samples_.patch > 0) patches_.emplace(scene, samples_.patch);
+  if (samples_.patch > 0) {
+    if (scene == nullptr || !samples_of(samples_, *scene)) throw std::invalid_argument("patches without their scene");
+    patches_.emplace(*scene, samples_.patch);
+    if (patches_->size() != samples_.fields.front().size()) throw std::invalid_argument("a wrong number of patches");
+  }
   const std::vector<std::uint32_t> nearest = hull_.nearest_corners();
   for (std::uint32_t k = 0; k < nearest.size(); ++k) at_corner_[nearest[k]].push_back(k);
   if (options_.form == BitfieldViewing::hierarchical) {

@@ -31,9 +31,10 @@ class BitfieldViewer {
     std::span<const PolygonId> polygons;  // ascending; valid until the next call
   };
 
-  /// `scene` is that of the samples, and used only here. Throws std::invalid_argument where the samples' viewpoints do
-  /// not surround the centre, or for a number of neighbours that is none of 1, 3 and 6, or is 1 with lists.
-  BitfieldViewer(const Scene& scene, BitfieldSamples samples, const BitfieldViewing& options);
+  /// `scene` is that of the samples, and needed only where a bit is a patch. Throws std::invalid_argument where the
+  /// samples' viewpoints do not surround the centre, for a number of neighbours that is none of 1, 3 and 6, or is 1
+  /// with lists, and for patches without their scene.
+  BitfieldViewer(BitfieldSamples samples, const BitfieldViewing& options, const Scene* scene = nullptr);
 
   /// Only the camera's eye counts, but where the camera is that of an exact sample.
   const View& look(const Camera& camera);
