@@ -34,6 +34,8 @@ void gmp_free(void* p, std::size_t) { std::free(p); }
   ++by_new;
   return checked(std::malloc(size != 0 ? size : 1));
 }
+// As the library's own does; under a sanitizer its own would be another allocator than that of the others.
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return operator new(size); }
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
