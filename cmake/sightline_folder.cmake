@@ -1,3 +1,9 @@
+# sightline_alone(FILE...): sources that have a name of their own which another of the folder has too, so that they
+# cannot be compiled together with it where CMAKE_UNITY_BUILD is on (the presets with sanitizers).
+function(sightline_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # sightline_folder(NAME [USES folder...] [LINKS target...] [PRIVATE_LINKS target...])
 # One library a folder, made of the folder's own sources, linking exactly the folders it may include. LINKS is what its
 # headers need too, PRIVATE_LINKS what only its sources need. Installed and exported with the rest of the library.

@@ -57,8 +57,8 @@ PolygonNeighbours::PolygonNeighbours(const Scene& scene) {
   }
   const auto key = [](const Pair& p) { return std::tuple(p.polygon, p.neighbour.polygon, p.neighbour.alike); };
   std::ranges::sort(pairs, {}, key);
-  const auto [first, last] = std::ranges::unique(pairs, {}, key);
-  pairs.erase(first, last);
+  const auto same = [&](const Pair& p, const Pair& q) { return key(p) == key(q); };
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), same), pairs.end());
   first_.resize(scene.polygon_count() + std::size_t{1});
   for (const Pair& p : pairs) {
     ++first_[p.polygon + std::size_t{1}];
@@ -90,8 +90,7 @@ void fill_in(const Scene& scene, const PolygonNeighbours& neighbours, const glm:
     }
     // All of a round at once: what it adds does not depend on the order.
     std::ranges::sort(next);
-    const auto [first, last] = std::ranges::unique(next);
-    next.erase(first, last);
+    next.erase(std::unique(next.begin(), next.end()), next.end());
     for (const PolygonId q : next) field.set(q);
     border.swap(next);
   }

@@ -95,7 +95,7 @@ ViewHull::ViewHull(std::vector<ViewDirection> directions) : directions_(std::mov
     }
     triangles.swap(kept);
   }
-  std::ranges::for_each(triangles, [](Triangle& t) { std::ranges::rotate(t, std::ranges::min_element(t)); });
+  for (Triangle& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   std::ranges::sort(triangles);
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> face_of;
   for (std::uint32_t f = 0; f < triangles.size(); ++f) {
@@ -134,8 +134,7 @@ std::vector<std::uint32_t> ViewHull::nearest_corners() const {
   std::vector<std::uint32_t> corners;
   for (const Face& f : faces_) corners.insert(corners.end(), f.corner.begin(), f.corner.end());
   std::ranges::sort(corners);
-  const auto [first, last] = std::ranges::unique(corners);
-  corners.erase(first, last);
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   std::vector<std::uint32_t> nearest(directions_.size());
   for (std::uint32_t k = 0; k < directions_.size(); ++k) {
     if (std::ranges::binary_search(corners, k)) {

@@ -11,8 +11,7 @@ namespace {
 
 void tidy_up(std::vector<PolygonId>& polygons) {
   std::ranges::sort(polygons);
-  const auto [first, last] = std::ranges::unique(polygons);
-  polygons.erase(first, last);
+  polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
 }
 
 bool is_obj(const std::filesystem::path& file) {
@@ -60,7 +59,8 @@ std::vector<PolygonId> polygons_named(const Scene& scene, const std::filesystem:
     }
   }
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (!found[k]) throw InputError(file.string() + ": no polygon has an object or material " + sightline::quoted(names[k]));
+    if (!found[k])
+      throw InputError(file.string() + ": no polygon has an object or material " + sightline::quoted(names[k]));
   }
   tidy_up(out);
   return out;

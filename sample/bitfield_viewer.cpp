@@ -68,8 +68,7 @@ std::vector<std::uint32_t> BitfieldViewer::samples_around(std::uint32_t face, co
   std::vector<std::uint32_t> out;
   for (const std::uint32_t c : chosen) out.insert(out.end(), at_corner_[c].begin(), at_corner_[c].end());
   std::ranges::sort(out);
-  const auto [first, last] = std::ranges::unique(out);
-  out.erase(first, last);
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 

@@ -20,7 +20,7 @@ class Merger {
 
   std::uint32_t merged(std::vector<std::uint32_t>& below) {
     std::ranges::sort(below);
-    below.erase(std::ranges::unique(below).begin(), below.end());
+    below.erase(std::unique(below.begin(), below.end()), below.end());
     if (below.size() == 1) return below.front();
     members_.clear();
     for (const std::uint32_t k : below) {
@@ -28,7 +28,7 @@ class Merger {
       members_.insert(members_.end(), list.begin(), list.end());
     }
     std::ranges::sort(members_);
-    members_.erase(std::ranges::unique(members_).begin(), members_.end());
+    members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
     return lists_.number(members_);
   }
 

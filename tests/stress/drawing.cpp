@@ -145,7 +145,7 @@ Drawing united(Drawing drawing) {
   drawing.faces.clear();
   for (auto& [polygon, face] : faces) {
     std::ranges::sort(face.coincident);
-    face.coincident.erase(std::ranges::unique(face.coincident).begin(), face.coincident.end());
+    face.coincident.erase(std::unique(face.coincident.begin(), face.coincident.end()), face.coincident.end());
     drawing.faces.push_back(std::move(face));
   }
   std::set<Point> ends;
