@@ -78,8 +78,8 @@ double bunny_radius(const glm::dvec3& d) {
 double brain_radius(const glm::dvec3& d) {
   const glm::dvec3 bent = d + 0.22 * glm::dvec3(std::sin(7 * d.y + 1), std::sin(6 * d.z + 2), std::sin(8 * d.x + 3));
   const double wave = std::sin(13 * bent.x) + std::sin(12 * bent.y + 1) + std::sin(11 * bent.z + 2);
-  const double fold = std::exp(-wave * wave / 0.18);
-  return 1 - 0.45 * fold;
+  const double fold = std::exp(-wave * wave / 1.1);
+  return 1 - 0.7 * fold;
 }
 
 void add_wheel(Builder& builder, const glm::dvec3& middle, double size, unsigned teeth, double turned) {

@@ -155,29 +155,33 @@ void print(const Row& r) {
   std::fflush(stdout);
 }
 
+bool is_file(const std::string& body) { return body.ends_with(".obj"); }
+std::string name_of(const std::string& body) {
+  return is_file(body) ? std::filesystem::path(body).stem().string() : body;
+}
+
 /// One block a body for gnuplot: samples, culled percentage, speed-up, missed; then their histograms at the last
 /// number.
 void draw(const Settings& s, const std::vector<Row>& rows) {
   std::filesystem::create_directories(s.pictures);
   std::string curves, bars;
   for (const std::string& body : s.bodies) {
-    curves += "\"" + body + "\"\n";
+    const char* gap = curves.empty() ? "" : "\n\n";  // between gnuplot's blocks
+    curves += gap + ("\"" + name_of(body)) + "\"\n";
     const Row* last = nullptr;
     for (const Row& r : rows) {
-      if (r.body != body || r.variant != "six") continue;
+      if (r.body != name_of(body) || r.variant != "six") continue;
       char line[128];
       std::snprintf(line, sizeof line, "%zu %.3f %.3f %.3f\n", r.samples, 100 * r.culled, r.speed_up, r.missed);
       curves += line;
       if (last == nullptr || r.samples == 25) last = &r;
     }
-    curves += "\n\n";
-    bars += "\"" + body + "\"\n";
+    bars += gap + ("\"" + name_of(body)) + "\"\n";
     for (std::size_t k = 0; last != nullptr && k < last->histogram.size(); ++k) {
       char line[64];
       std::snprintf(line, sizeof line, "%.2f %.3f\n", 0.1 * static_cast<double>(k) + 0.05, last->histogram[k]);
       bars += line;
     }
-    bars += "\n\n";
   }
   write_file(s.pictures / "curves.dat", curves);
   write_file(s.pictures / "histograms.dat", bars);
@@ -212,9 +216,8 @@ int run(const Settings& s) {
       "| body | polygons | samples are | samples | culled | speed-up | missed pixels | most | plain kB | hierarchical "
       "kB | compressed kB | lists kB |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const std::string& body : s.bodies) {
-    const bool is_file = body.ends_with(".obj");
-    const Scene scene = make_scene(is_file ? read_polygons(body) : make_body(body));
-    const std::string name = is_file ? std::filesystem::path(body).stem().string() : body;
+    const Scene scene = make_scene(is_file(body) ? read_polygons(body) : make_body(body));
+    const std::string name = name_of(body);
     if (!s.write.empty()) {
       std::filesystem::create_directories(s.write);
       write_obj(s.write / (name + ".obj"), scene.soup());
