@@ -32,6 +32,8 @@
 #include "sample/bitfield_transparent.hpp"
 #include "sample/bitfield_viewer.hpp"
 #include "sample/bitfield_viewpoints.hpp"
+#include "sample/field.hpp"
+#include "sample/field_query.hpp"
 #include "sample/id_buffer.hpp"
 #include "sample/ray_caster.hpp"
 #include "scene/camera.hpp"

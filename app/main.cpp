@@ -31,6 +31,7 @@ int run_command(int argc, char** argv) {
   add_clip_command(root, run);
   add_compare_command(root, run);
   add_bitfield_command(root, run);
+  add_field_command(root, run);
   add_verify_command(root, run);
   try {
     root.parse(argc, argv);

@@ -41,6 +41,7 @@ void add_trace_command(CLI::App& root, Run& run);
 void add_clip_command(CLI::App& root, Run& run);
 void add_compare_command(CLI::App& root, Run& run);
 void add_bitfield_command(CLI::App& root, Run& run);
+void add_field_command(CLI::App& root, Run& run);
 void add_verify_command(CLI::App& root, Run& run);
 
 }  // namespace sightline::app

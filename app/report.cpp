@@ -95,6 +95,26 @@ Json bitfield_view_json(std::size_t index, const BitfieldViewFigures& v) {
           {"polygons", v.polygons}};
 }
 
+Json field_json(const FieldFigures& f) {
+  return {{"slabs", f.slabs},
+          {"samples", f.samples},
+          {"ids", f.ids},
+          {"cells", f.cells},
+          {"lists", f.lists},
+          {"mipmaps", f.mipmaps},
+          {"rays", f.rays},
+          {"seconds", f.seconds},
+          {"array_bytes", f.array_bytes},
+          {"memory_bytes", f.memory_bytes},
+          {"file_bytes", f.file_bytes},
+          {"compression", static_cast<double>(f.array_bytes) / static_cast<double>(f.file_bytes)}};
+}
+
+Json field_view_json(std::size_t index, const FieldViewFigures& v) {
+  return {{"index", index},         {"seconds", v.seconds},     {"cells", v.cells},
+          {"polygons", v.polygons}, {"looked_up", v.looked_up}, {"covered", v.covered}};
+}
+
 Json camera_json(std::size_t index, const CameraFigures& c) {
   if (!c.error.empty()) return {{"index", index}, {"error", c.error}};
   return {{"index", index},   {"seconds", c.seconds}, {"beams", c.beams},       {"cells", c.cells},
@@ -145,6 +165,10 @@ std::string report_json(const Report& report, const CommonOptions& options) {
   json["cameras"] = Json::array();
   for (std::size_t k = 0; k < report.bitfield_views.size(); ++k) {
     json["cameras"].push_back(bitfield_view_json(k, report.bitfield_views[k]));
+  if (report.field) json["field"] = field_json(*report.field);
+  json["cameras"] = Json::array();
+  for (std::size_t k = 0; k < report.field_views.size(); ++k) {
+    json["cameras"].push_back(field_view_json(k, report.field_views[k]));
   }
   for (std::size_t k = 0; k < report.cameras.size(); ++k) json["cameras"].push_back(camera_json(k, report.cameras[k]));
   json["decisions"] = decisions_json();

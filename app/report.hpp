@@ -64,6 +64,21 @@ struct BitfieldViewFigures {
   std::size_t polygons = 0;
 };
 
+/// Of a visibility field.
+struct FieldFigures {
+  std::size_t slabs = 0, samples = 0, ids = 0, cells = 0, lists = 0, mipmaps = 0;
+  std::uint64_t array_bytes = 0, memory_bytes = 0, file_bytes = 0;
+  std::uint64_t rays = 0;  // 0 and 0 where it was read
+  double seconds = 0;
+};
+
+/// Of one camera that was looked up in a field.
+struct FieldViewFigures {
+  double seconds = 0;
+  std::size_t cells = 0, polygons = 0, looked_up = 0;
+  double covered = 0;  // part of the pixels that lie in some slab
+};
+
 struct Report {
   std::string command;
   std::optional<Scene> scene;
@@ -75,6 +90,8 @@ struct Report {
   std::optional<PhotoFigures> photos = {};
   std::optional<BitfieldFigures> bitfield = {};
   std::vector<BitfieldViewFigures> bitfield_views = {};
+  std::optional<FieldFigures> field = {};
+  std::vector<FieldViewFigures> field_views = {};
 };
 
 /// The report as JSON, with the decision tallies and the peak of memory of this process.

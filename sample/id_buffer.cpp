@@ -44,13 +44,14 @@ IdBuffer::IdBuffer(const Scene& scene, std::uint32_t size)
       items_(std::size_t{size} * size),
       nearest_(items_.size()) {}
 
-std::span<const PolygonId> IdBuffer::draw(const Camera& camera) {
+std::span<const PolygonId> IdBuffer::draw(const Camera& camera, std::span<const char> wanted) {
   std::fill(items_.begin(), items_.end(), none);
   std::fill(nearest_.begin(), nearest_.end(), 0.0F);
   // p - eye = depth forward + across right + upwards up, so that s = across / depth + 1/2, and t likewise.
   const glm::dmat3 frame = glm::inverse(glm::dmat3(camera.forward, camera.right, camera.up));
   const glm::dvec3 eye = place_of_eye(scene_, camera.eye);
   for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (!wanted.empty() && wanted[places_.polygons[k]] == 0) continue;
     const auto corners = places_.of(k);
     if (scene_.options().one_sided && !shows_front(corners, eye)) continue;
     loop_.clear();

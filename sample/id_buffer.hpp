@@ -17,8 +17,9 @@ class IdBuffer {
   IdBuffer(const Scene& scene, std::uint32_t size);
 
   /// Which polygon each of size * size pixels shows, or `none`. Pixel (x, y), at y * size + x, is the square of side
-  /// 1 / size from (x, y) / size in the window; rows go upwards. Valid until the next call.
-  std::span<const PolygonId> draw(const Camera& camera);
+  /// 1 / size from (x, y) / size in the window; rows go upwards. Valid until the next call. `wanted` has an entry a
+  /// polygon: where it is 0 the polygon is left out; empty, all are drawn.
+  std::span<const PolygonId> draw(const Camera& camera, std::span<const char> wanted = {});
   std::uint32_t size() const { return size_; }
 
  private:
