@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 namespace sightline {
 namespace {
@@ -142,9 +143,10 @@ void read_levels(Reader& r, Field& field, const std::array<std::uint32_t, 4>& sa
 
 Field read_field(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string() + ": cannot be read");
-  const std::string all{std::istreambuf_iterator<char>(in), {}};
-  if (!in) throw InputError(file.string() + ": cannot be read");
+  std::ostringstream content;
+  if (in) content << in.rdbuf();
+  if (!in || content.bad()) throw InputError(file.string() + ": cannot be read");
+  const std::string all = std::move(content).str();
   if (all.compare(0, field_file_line.size(), field_file_line) != 0) {
     throw InputError(file.string() + ":1: is no field file: it does not begin with `sightline-field 1`");
   }

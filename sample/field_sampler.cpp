@@ -18,12 +18,13 @@ double middle(std::uint32_t k, std::uint32_t n) { return (2.0 * k + 1) / (2.0 * 
 
 FieldSampler::FieldSampler(const Scene& scene, const RayCaster& caster, const FieldCells& partition,
                            const FieldOptions& options, const FieldSlab& slab)
-    : scene_(scene),
-      caster_(caster),
+    : caster_(caster),
       partition_(partition),
       options_(options),
       slab_(slab),
       scale_(std::ldexp(1 / scene.grid().step(), -scene.grid().unit_bits())),
+      base_(slab.st.corner),
+      base_unit_(scene.grid().unit(base_)),
       met_(options.samples[2]) {}
 
 FieldRow FieldSampler::sample(std::uint32_t u, std::uint32_t v) {
@@ -48,7 +49,7 @@ void FieldSampler::send(std::uint32_t u, std::uint32_t v, std::uint32_t t) {
         for (std::uint32_t k = 0; k < n * n; ++k) {
           const FieldRay ray =
               ray_of(slab_, {place(0, u, pu), place(1, v, pv), place(2, s, k % n), place(3, t, k / n)});
-          going_.push_back({scene_.grid().unit(ray.origin), ray.direction * scale_, s});
+          going_.push_back({base_unit_ + scale_ * (ray.origin - base_), ray.direction * scale_, s});
         }
       }
       follow();

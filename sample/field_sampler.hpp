@@ -34,12 +34,13 @@ class FieldSampler {
   void follow();
   void rank(std::vector<std::uint32_t>& met, FieldRow& row);
 
-  const Scene& scene_;
   const RayCaster& caster_;
   const FieldCells& partition_;
   const FieldOptions& options_;
   const FieldSlab& slab_;
-  double scale_;  // unit coordinates a world coordinate
+  // Unit coordinates are base_unit_ + scale_ (world - base_).
+  double scale_;
+  glm::dvec3 base_, base_unit_;
   std::uint64_t rays_ = 0;
   std::vector<std::vector<std::uint32_t>> met_;  // of each s: the cells that its rays met, as often as they did
   std::vector<Going> going_;

@@ -137,7 +137,7 @@ TEST(FieldQuery, FindsTheSampleOfALine) {
 TEST(FieldQuery, AFineFieldMarksWhatRaysMeet) {
   const Scene& scene = city().scene;
   const FieldCells cells = grid_of(scene, 2);
-  const Field field = build_field(scene, slabs_around(box_of(scene)), cells, {{12, 12, 32, 32}, 65535, 3, false, 2});
+  const Field field = build_field(scene, slabs_around(box_of(scene)), cells, {{6, 6, 20, 20}, 65535, 3, false, 2});
   const RayCaster caster(scene);
   for (const Camera& camera : city().cameras) {
     const FieldMarks rays = trace_marks(caster, scene, cells, camera, 100, 2);

@@ -16,14 +16,14 @@ inline Scene model_scene(const std::string& name, std::uint32_t polygons = 0, do
   return make_scene(make_model(name, {.polygons = polygons, .rotate_degrees = degrees}).soup);
 }
 
-/// Around the scene, `apart` of its diagonals from its middle, looking there.
+/// Around and above the scene, `apart` of its diagonals from its middle, looking there.
 inline std::vector<Camera> cameras_around(const Scene& scene, std::size_t count, double apart = 1.2) {
   const FieldBox box = box_of(scene);
   const glm::dvec3 middle = 0.5 * (box.low + box.high);
   std::vector<Camera> cameras;
   for (std::size_t k = 0; k < count; ++k) {
     const double turn = 0.3 + 2 * std::acos(-1.0) * static_cast<double>(k) / static_cast<double>(count);
-    const glm::dvec3 from(std::cos(turn), std::sin(turn), 0.7 * std::cos(2.5 * turn));
+    const glm::dvec3 from(std::cos(turn), std::sin(turn), 0.7 + 0.4 * std::cos(2.5 * turn));
     cameras.push_back(make_camera(middle + apart * glm::length(box.high - box.low) * glm::normalize(from), -from,
                                   {0, 0.1, 1}, 50, 1.25));
   }
