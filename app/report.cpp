@@ -162,11 +162,11 @@ std::string report_json(const Report& report, const CommonOptions& options) {
   if (report.clip) json["clip"] = clip_json(*report.clip);
   if (report.photos) json["photos"] = photos_json(*report.photos);
   if (report.bitfield) json["bitfield"] = bitfield_json(*report.bitfield);
+  if (report.field) json["field"] = field_json(*report.field);
   json["cameras"] = Json::array();
   for (std::size_t k = 0; k < report.bitfield_views.size(); ++k) {
     json["cameras"].push_back(bitfield_view_json(k, report.bitfield_views[k]));
-  if (report.field) json["field"] = field_json(*report.field);
-  json["cameras"] = Json::array();
+  }
   for (std::size_t k = 0; k < report.field_views.size(); ++k) {
     json["cameras"].push_back(field_view_json(k, report.field_views[k]));
   }
