@@ -130,11 +130,32 @@ std::vector<CameraLine> animation(const PolygonSoup& soup, std::size_t frames) {
                apart = 0.55 * std::max(size.x, 1.2 * size.z) / std::tan(height / 2 * pi / 180) + size.y / 2;
   std::vector<CameraLine> cameras;
   for (std::size_t k = 0; k < frames; ++k) {
-    const double turn = frames == 1 ? 0 : 0.25 * (2.0 * static_cast<double>(k) / static_cast<double>(frames - 1) - 1);
-    const glm::dvec3 from(std::sin(turn), -std::cos(turn), 0.15);
+    const double turn = frames == 1 ? 0 : 0.12 * (2.0 * static_cast<double>(k) / static_cast<double>(frames - 1) - 1);
+    const glm::dvec3 from(std::sin(turn), -std::cos(turn), 0.2);
     cameras.push_back({middle + apart * from, -from, {0, 0, 1}, height, 1});
   }
   return cameras;
+}
+
+FieldSlab slab_for(const FieldBox& box, std::span<const Camera> cameras) {
+  glm::dvec3 low(INFINITY), high(-INFINITY);  // of directions that go 1 along y
+  for (const Camera& c : cameras) {
+    for (int corner = 0; corner < 4; ++corner) {
+      const glm::dvec3 d = c.forward + (corner % 2 - 0.5) * c.right + (corner / 2 - 0.5) * c.up;
+      low = glm::min(low, d / d.y);
+      high = glm::max(high, d / d.y);
+    }
+  }
+  const glm::dvec3 size = box.high - box.low;
+  const double depth = 1.02 * size.y;
+  const glm::dvec3 aside = 0.51 * depth * glm::max(glm::abs(low), glm::abs(high));
+  FieldSlab slab;
+  slab.uv = {{low.x, 1, low.z}, {high.x - low.x, 0, 0}, {0, 0, high.z - low.z}};
+  slab.st.corner = {box.low.x - aside.x, 0.5 * (box.low.y + box.high.y), box.low.z - aside.z};
+  slab.st.across = {size.x + 2 * aside.x, 0, 0};
+  slab.st.upwards = {0, 0, size.z + 2 * aside.z};
+  slab.begin = slab.end = -0.5 * depth;
+  return slab;
 }
 
 }  // namespace sightline::bench

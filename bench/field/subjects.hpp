@@ -1,9 +1,11 @@
 // The scenes of Blais and Poulin's measurements, made anew: as many objects, triangles and cells.
 #pragma once
 
+#include "sample/field_slab.hpp"
 #include "scene/read.hpp"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,5 +28,9 @@ Subject bunny(const std::string& file);
 
 /// Cameras before the scene that go from its left to its right, and look at its middle.
 std::vector<CameraLine> animation(const PolygonSoup& soup, std::size_t frames);
+
+/// One slab that fits the cameras of an animation: uv at infinity, with the directions of their windows; st in the
+/// middle of the scene, as large as lines in these directions need that meet the scene's box.
+FieldSlab slab_for(const FieldBox& box, std::span<const Camera> cameras);
 
 }  // namespace sightline::bench
