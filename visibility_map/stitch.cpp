@@ -67,8 +67,8 @@ void set(stitching::State& s, const Scene& scene, const Camera& camera, const Wi
   s.fragments = &fragments;
   s.handedness = window.handedness();
   std::copy(border.begin(), border.end(), s.border);
-  const glm::dvec3& f = camera.forward;
-  s.ahead = f / std::max({std::abs(f.x), std::abs(f.y), std::abs(f.z)});
+  // Not camera.forward: of a window that stands askew to it, a ray may lie opposite to forward along a line.
+  s.ahead = window.ahead();
   set_frame(s);
 }
 

@@ -114,7 +114,7 @@ struct State {
   SightlineRef border[4];
   glm::dvec3 eye{};     // unit coordinates, each within 2^-52 * scale
   double scale = 1;     // max(1, largest unit coordinate of the eye)
-  glm::dvec3 ahead{};   // forward, scaled to largest component 1; zero for the sphere
+  glm::dvec3 ahead{};   // within a right angle of every ray of the window; zero for the sphere
   glm::dvec3 frame[3];  // forward, right and up, times one power of two: largest component in [1/2, 1)
   std::array<std::array<Integer, 3>, 3> exact_frame;  // the same as integers, once they are needed
   bool has_exact_frame = false;
