@@ -60,6 +60,7 @@ TEST(Limits, TimeWhileWriting) {
   const auto folder = folder_with_model("time_writing", {"rooms"}, "");
   std::filesystem::remove(folder / "m.cameras");
   ASSERT_EQ(run(folder, {"model", "rooms", "-o", "m.obj"}).code, 0);
+  write(folder / "m.cameras", first_lines(read(folder / "m.cameras"), 15));
   const Words trace{"trace", "m.obj", "--cameras", "m.cameras", "--format", "map,png", "-o"};
   ASSERT_EQ(run(folder, with(trace, {"whole"})).code, 0);
   const auto whole = files_below(folder / "whole");
