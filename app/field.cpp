@@ -54,14 +54,16 @@ CellName named_cells(const std::string& text) {
   }
 }
 
+FieldBox view_of(const FieldBuildCommand& command) {
+  const auto& v = command.view;
+  const FieldBox box{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+  if (!glm::all(glm::lessThan(box.low, box.high))) throw UsageError("--view: a box has x0 < x1, y0 < y1 and z0 < z1");
+  return box;
+}
+
 std::vector<FieldSlab> chosen_slabs(const FieldBuildCommand& command, const FieldBox& box) {
   if (!command.slabs.empty()) return read_slabs(command.slabs, box);
-  if (!command.view.empty()) {
-    const glm::dvec3 a(command.view[0], command.view[1], command.view[2]);
-    const glm::dvec3 b(command.view[3], command.view[4], command.view[5]);
-    if (!glm::all(glm::lessThan(a, b))) throw UsageError("--view: a box has x0 < x1, y0 < y1 and z0 < z1");
-    return slabs_within({a, b});
-  }
+  if (!command.view.empty()) return slabs_within(view_of(command));
   if (command.before.empty()) return slabs_around(box, command.distance);
   const std::map<std::string, std::pair<int, bool>> sides{{"left", {0, false}},   {"right", {0, true}},
                                                           {"front", {1, false}},  {"back", {1, true}},
@@ -110,6 +112,7 @@ int build_field_file(FieldBuildCommand& command) {
   const int ways = (command.slabs.empty() ? 0 : 1) + (command.view.empty() ? 0 : 1) + (command.before.empty() ? 0 : 1) +
                    (command.distance > 0 ? 1 : 0);
   if (ways > 1) throw UsageError("--slabs, --view, --before and --distance: one of them at most");
+  if (!command.view.empty()) view_of(command);  // or there is no need to read anything
   command.field.samples = parse_samples(command.samples);
   command.field.threads = command.common.threads;
   const CellName name = named_cells(command.cells);

@@ -9,7 +9,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
-#include <unordered_map>
 
 namespace sightline {
 namespace {

@@ -5,7 +5,6 @@
 #include "sample/field_slab.hpp"
 #include "scene/scene.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 

@@ -111,7 +111,7 @@ TEST(FieldCommand, RefusesWhatItCannotDo) {
   expect(2, {"build", "m.obj", "-o", "x.field", "--rays", "2"}, "--rays");
   expect(2, {"build", "m.obj", "-o", "x.field", "--before", "top", "--distance", "3"}, "one of them at most");
   expect(2, {"build", "m.obj", "-o", "x.field", "--view", "0", "0", "0", "1", "0", "1"}, "--view");
-  expect(3, {"build", "m.obj", "-o", "x.field", "--slabs", "none.txt"}, "none.txt: holds no slab");
+  expect(3, {"build", "m.obj", "-o", "x.field", "--slabs", "none.txt", "-q"}, "none.txt: holds no slab");
   EXPECT_FALSE(std::filesystem::exists(folder / "x.field"));
   const auto query = [&](const std::string& file, std::vector<std::string> more = {}) {
     std::vector<std::string> words{"query", file, "--cameras", "c.cameras", "-o", "x.csv"};
