@@ -96,7 +96,7 @@ TEST(FieldQuery, CellsOfViewsBeforeStayMarked) {
         expected.insert(expected.end(), alone[i].begin(), alone[i].end());
       }
       std::ranges::sort(expected);
-      expected.erase(std::ranges::unique(expected).begin(), expected.end());
+      expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
       EXPECT_EQ(query.mark(views[k]).cells, expected);
     }
   }
@@ -161,7 +161,7 @@ TEST(FieldQuery, TracingMarksWhatLiesUnderPixels) {
     std::vector<PolygonId> expected(items.begin(), items.end());
     std::erase(expected, none);
     std::ranges::sort(expected);
-    expected.erase(std::ranges::unique(expected).begin(), expected.end());
+    expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
     EXPECT_EQ(polygons_of(cells, trace_marks(caster, scene, cells, camera, 60, 1).cells), expected);
   }
 }
