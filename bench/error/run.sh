@@ -11,8 +11,7 @@ command=$1 folder=$2
 shift 2
 cameras=${CAMERAS:-6}
 exact=front-to-back,cells,double
-sampled=ids:64,ids:256,ids:1024,ids:4096
-if "$command" compare --help | grep -q 'rays:N'; then sampled+=,rays:64,rays:256,rays:1024,rays:4096; fi
+sampled=ids:64,ids:256,ids:1024,ids:4096,rays:64,rays:256,rays:1024,rays:4096
 methods=${METHODS:-$exact,$sampled}
 
 if [ $# -eq 0 ]; then
