@@ -1,5 +1,6 @@
-# sightline_alone(FILE...): sources that have a name of their own which another of the folder has too, so that they
-# cannot be compiled together with it where CMAKE_UNITY_BUILD is on (the presets with sanitizers).
+# sightline_alone(FILE...): sources that are not compiled together with others where CMAKE_UNITY_BUILD is on (the presets
+# with sanitizers), because they have a name of their own which another of the folder has too, or because another file
+# may stand in their place (compare/plain).
 function(sightline_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
