@@ -60,6 +60,8 @@ class Builder {
         chooser_(scene, complex.planes, pieces_, weights) {
     box_.low = complex.vertices.front().place.approx;
     box_.high = complex.vertices[7].place.approx;
+    pieces_.reserve(scene.all_edges().size() * 9 / 8);  // a cut piece has corners of its own
+    waiting_.reserve(scene.surfaces().size());
     for (SurfaceId s = 0; s < scene.surfaces().size(); ++s) waiting_.push_back(pieces_.whole(s));
   }
 

@@ -32,6 +32,8 @@ class Pieces {
  public:
   Pieces(const Scene& scene, const PlaneTable& planes) : scene_(scene), planes_(planes) {}
 
+  /// Room for so many corners, beforehand.
+  void reserve(std::size_t corners) { corners_.reserve(corners); }
   Piece whole(SurfaceId surface);
   Sign side(const PieceCorner& corner, PlaneId plane) const {
     return corner.point != none ? point_side(planes_, corner.point, plane) : vertex_side(planes_, corner.place, plane);
