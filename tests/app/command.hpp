@@ -10,6 +10,15 @@
 
 namespace sightline::test {
 
+/// Does the command run under a sanitizer, which takes memory of its own?
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
 /// How a run ended: its exit code, or minus the signal that ended it, and what it printed.
 struct Ended {
   int code;
