@@ -31,36 +31,43 @@ int write_all(int fd, std::string_view content) {
   return 0;
 }
 
-/// A new file under a temporary name, gone again if it is not renamed. All are linked, for remove_temporary_files.
+/// A new file under a temporary name, gone again if it is not renamed. All are linked, for remove_temporary_files. Its
+/// folder is held open: should that be moved away meanwhile, the file is completed, or goes, where it is.
 class Temporary {
  public:
   /// Opens it: `fd` is -1 where that fails, and errno says why.
-  explicit Temporary(std::string name) : name_(std::move(name)) {
+  Temporary(const std::filesystem::path& folder, std::string name) : name_(std::move(name)) {
+    folder_ = ::open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+    if (folder_ < 0) return;
     const std::lock_guard lock(mutex_);
-    fd_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    fd_ = ::openat(folder_, name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd_ >= 0) link();
   }
   ~Temporary() {
-    if (fd_ < 0 || renamed_) return;
-    const std::lock_guard lock(mutex_);
-    ::unlink(name_.c_str());
-    unlink();
+    if (fd_ >= 0 && !renamed_) {
+      const std::lock_guard lock(mutex_);
+      ::unlinkat(folder_, name_.c_str(), 0);
+      unlink();
+    }
+    const int error = errno;
+    if (folder_ >= 0) ::close(folder_);
+    errno = error;
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
   int fd() const { return fd_; }
-  /// 0, or the error.
-  int rename(const std::filesystem::path& file) {
+  /// In its folder. 0, or the error.
+  int rename(const std::filesystem::path& name) {
     const std::lock_guard lock(mutex_);
-    if (::rename(name_.c_str(), file.c_str()) != 0) return errno;
+    if (::renameat(folder_, name_.c_str(), folder_, name.c_str()) != 0) return errno;
     renamed_ = true;
     unlink();
     return 0;
   }
   static void remove_all() noexcept {
     mutex_.lock();  // for ever: whoever still writes waits for the end of the process
-    for (const Temporary* t = first_; t != nullptr; t = t->next_) ::unlink(t->name_.c_str());
+    for (const Temporary* t = first_; t != nullptr; t = t->next_) ::unlinkat(t->folder_, t->name_.c_str(), 0);
   }
 
  private:
@@ -77,7 +84,7 @@ class Temporary {
   static inline std::mutex mutex_;
   static inline Temporary* first_ = nullptr;
   std::string name_;
-  int fd_ = -1;
+  int folder_ = -1, fd_ = -1;
   bool renamed_ = false;
   Temporary* before_ = nullptr;
   Temporary* next_ = nullptr;
@@ -110,7 +117,7 @@ GrowingFile::GrowingFile(const std::filesystem::path& file) : state_(std::make_u
   static std::atomic<unsigned> counter{0};
   do {
     const std::string ending = ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
-    s.temporary = std::make_unique<Temporary>(file.string() + ending);
+    s.temporary = std::make_unique<Temporary>(file.parent_path(), file.filename().string() + ending);
   } while (s.temporary->fd() < 0 && errno == EEXIST);
   s.fd = s.temporary->fd();
   if (s.fd < 0) fail_system(errno, file);
@@ -125,7 +132,7 @@ void GrowingFile::append(std::string_view content) {
 void GrowingFile::finish() {
   State& s = *state_;
   int error = ::close(std::exchange(s.fd, -1)) != 0 ? errno : 0;
-  if (error == 0 && s.temporary) error = s.temporary->rename(s.file);
+  if (error == 0 && s.temporary) error = s.temporary->rename(s.file.filename());
   if (error != 0) fail_system(error, s.file);
 }
 
