@@ -204,6 +204,19 @@ class Triangulation {
 
 }  // namespace
 
+namespace {
+
+/// By place: where a loop passes a place twice, a triangle's side may be an edge of it between two other corners.
+bool is_edge(const std::vector<Corner>& chain, const Triple& p, const Triple& q) {
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Triple &a = chain[i].p, &b = chain[i + 1 == chain.size() ? 0 : i + 1].p;
+    if (((a - p).is_zero() && (b - q).is_zero()) || ((a - q).is_zero() && (b - p).is_zero())) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 Shape Scene::make_shape(std::uint32_t polygon) const {
   Shape shape;
   const auto indices = corners(polygon);
@@ -229,7 +242,7 @@ Shape Scene::make_shape(std::uint32_t polygon) const {
     Surface surface = planar_surface(corner, std::move(normal));
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t a = t[i], b = t[(i + 1) % 3];
-      if (b == (a + 1) % n || a == (b + 1) % n) surface.input_edges.push_back({indices[a], indices[b]});
+      if (is_edge(chain, chain[a].p, chain[b].p)) surface.input_edges.push_back({indices[a], indices[b]});
     }
     shape.surfaces.push_back(std::move(surface));
   }
