@@ -210,7 +210,7 @@ namespace {
 bool is_edge(const std::vector<Corner>& chain, const Triple& p, const Triple& q) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Triple &a = chain[i].p, &b = chain[i + 1 == chain.size() ? 0 : i + 1].p;
-    if (((a - p).is_zero() && (b - q).is_zero()) || ((a - q).is_zero() && (b - p).is_zero())) return true;
+    if ((same(a, p) && same(b, q)) || (same(a, q) && same(b, p))) return true;
   }
   return false;
 }

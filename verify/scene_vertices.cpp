@@ -164,7 +164,7 @@ class SceneVertexCheck {
   }
 
   /// The lowest of all; or of the nearest ones, since those behind are seen beside them only. Vertices that belong to
-  /// no polygon may count or not.
+  /// no polygon, or to none that has an area, may count or not.
   bool accepted(const std::vector<std::uint32_t>& on, std::uint32_t name) const {
     std::vector<std::uint32_t> nearest;
     for (const std::uint32_t w : on) {
@@ -181,6 +181,19 @@ class SceneVertexCheck {
       if (!list->empty() && (*list)[0] == name) return true;
       const auto used = std::find_if(list->begin(), list->end(), [&](std::uint32_t w) { return scene_.used(w); });
       if (used != list->end() && *used == name) return true;
+      const auto solid = std::find_if(list->begin(), list->end(), [&](std::uint32_t w) { return has_area(w); });
+      if (solid != list->end() && *solid == name) return true;
+    }
+    return false;
+  }
+
+  /// Is the vertex a corner of a polygon that is not dropped?
+  bool has_area(std::uint32_t vertex) const {
+    for (std::uint32_t p = 0; p < scene_.polygon_count(); ++p) {
+      const auto corners = scene_.corners(p);
+      if (std::find(corners.begin(), corners.end(), vertex) != corners.end() && !scene_.shape(p).surfaces.empty()) {
+        return true;
+      }
     }
     return false;
   }
