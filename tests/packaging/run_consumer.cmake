@@ -1,4 +1,4 @@
-# cmake -DCONSUMER=folder -DWORK=folder -DOPTIONS=a;b (-DBUILD=folder | -DSOURCE=folder) -P run_consumer.cmake
+# cmake -DCONSUMER=folder -DWORK=folder -DKIND=build type -DOPTIONS=a;b (-DBUILD=folder | -DSOURCE=folder) -P run_consumer.cmake
 # Configures, builds and runs the consumer against what BUILD installs, or with SOURCE as a part of it.
 cmake_minimum_required(VERSION 3.25)
 
@@ -12,7 +12,7 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK}/prefix ${WORK}/build)
-set(arguments -G Ninja -S ${CONSUMER} -B ${WORK}/build ${OPTIONS})
+set(arguments -G Ninja -S ${CONSUMER} -B ${WORK}/build -DCMAKE_BUILD_TYPE=${KIND} ${OPTIONS})
 if(BUILD)
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
   list(APPEND arguments -DCMAKE_PREFIX_PATH=${WORK}/prefix)

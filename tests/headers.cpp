@@ -1,0 +1,1 @@
+// Its headers are compiled beforehand for all tests (CMakeLists.txt).
