@@ -1,22 +1,23 @@
 #include "exact/fixed.hpp"
 
+#include <gmp.h>
+
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 
 namespace sightline::fixed_detail {
 
-// As the unrolled product in fixed.hpp.
+// As the unrolled product in fixed.hpp. GMP's has the processor's own instructions for long carries.
 void multiply_words(std::uint64_t* r, int count, const std::uint64_t* a, int n, const std::uint64_t* b, int m) {
-  std::fill(r, r + count, 0);
-  for (int i = 0; i < std::min(n, count); ++i) {
-    std::uint64_t carry = 0;
-    const int end = std::min(m, count - i);
-    for (int j = 0; j < end; ++j) {
-      const unsigned __int128 t = static_cast<unsigned __int128>(a[i]) * b[j] + r[i + j] + carry;
-      r[i + j] = static_cast<std::uint64_t>(t);
-      carry = static_cast<std::uint64_t>(t >> 64);
-    }
-    if (i + m < count) r[i + m] = carry;
+  static_assert(std::is_same_v<mp_limb_t, std::uint64_t>);
+  mp_limb_t whole[2 * most_words];
+  if (n < m) {
+    std::swap(a, b);
+    std::swap(n, m);
   }
+  mpn_mul(whole, a, n, b, m);
+  std::copy(whole, whole + count, r);
   const auto subtract = [&](const std::uint64_t* x, int from) {
     unsigned char borrow = 0;
     for (int i = from; i < count; ++i) borrow = sub_borrow(borrow, r[i], x[i - from], r[i]);

@@ -5,11 +5,13 @@
 
 namespace sightline {
 
+inline constexpr int most_words = 16;
+
 /// Two's complement, little-endian. All operations are exact modulo 2^(64 W): a chain of them is right as soon as its
 /// final result fits, whatever happened on the way.
 template <int W>
 struct Fixed {
-  static_assert(W >= 1 && W <= 16);
+  static_assert(W >= 1 && W <= most_words);
   std::uint64_t word[W];
 };
 

@@ -233,9 +233,12 @@ SightlineRef SightlineTable::intern(std::uint64_t* words, std::uint32_t stride) 
   for (std::uint32_t k = 1; tight != stride && k < 3; ++k)
     std::copy(words + k * stride, words + k * stride + tight, words + k * tight);
   Normal n{words, bits, {}, {}};
+  // What the leading word leaves out, less than 2^-62, is below what the promise of approx() has left: rounding a
+  // number below 1 takes 2^-54 of its 2^-53.
+  const std::array<std::int64_t, 3> word = leading_word(words, bits);
   for (std::uint32_t k = 0; k < 3; ++k) {
     n.sign[k] = sign_of_words(words + k * tight, tight);
-    n.approx[static_cast<int>(k)] = words_to_double(words + k * tight, tight, -static_cast<int>(bits));
+    n.approx[static_cast<int>(k)] = static_cast<double>(word[k]) * 0x1p-62;
   }
   return find_or_add(n);
 }
@@ -248,23 +251,54 @@ Sign SightlineTable::exact_eye_side(PlaneId p) const {
   });
 }
 
-Sign SightlineTable::exact_order(SightlineId a, SightlineId b, SightlineId c) const {
-  const Line *x = &line_[a], *y = &line_[b], *z = &line_[c];
+Sign SightlineTable::exact_order(SightlineId a, SightlineId b, SightlineId c) {
+  // Short numbers are multiplied sooner than looked up.
+  if (line_[a].bits + line_[b].bits + line_[c].bits <= 3 * word_bits)
+    return compute_order(line_[a], line_[b], line_[c]);
+  Sign turn = 1;
+  const auto sort = [&](SightlineId& i, SightlineId& j) {
+    if (i < j) return;
+    std::swap(i, j);
+    turn = -turn;
+  };
+  sort(a, b);
+  sort(b, c);
+  sort(a, b);
+  constexpr std::size_t size = 1024;
+  if (told_.empty()) told_.resize(size, {none, none, none, 0, 0});
+  Told& told = told_[((a * 0x9e3779b1u ^ b) * 0x85ebca6bu ^ c) * 0x9e3779b1u >> 22];
+  if (told.a == a && told.b == b && told.c == c && told.stamp == stamp_) {
+    ++tally().identity;
+  } else {
+    told = {a, b, c, stamp_, compute_order(line_[a], line_[b], line_[c])};
+  }
+  return turn * told.sign;
+}
+
+Sign SightlineTable::compute_order(const Line& a, const Line& b, const Line& c) const {
+  const Line *x = &a, *y = &b, *z = &c;
+  if (x->bits + y->bits + z->bits > 3 * word_bits) {
+    const auto word = [&](const Line* l) { return leading_word(words_.data() + l->first, l->bits); };
+    const Sign sign = leading_order(word(x), word(y), word(z));
+    if (sign != uncertain) {
+      ++tally().filter;
+      return sign;
+    }
+  }
+  if (x->bits + y->bits + z->bits > 3 * leading_bits) {
+    const auto at = [&](const Line* l) { return leading(words_.data() + l->first, l->bits); };
+    const Sign sign = leading_order(at(x), at(y), at(z));
+    if (sign != uncertain) {
+      ++tally().filter;
+      return sign;
+    }
+  }
   // In turn until the longest is last, which leaves the determinant as it is.
   while (z->bits < x->bits || z->bits < y->bits) {
     const Line* const first = x;
     x = y;
     y = z;
     z = first;
-  }
-  if (x->bits + y->bits + z->bits > 3 * leading_bits) {
-    // Components below 2^125, within 1: six terms of three, each within 3 (2^125)^2 + 3 2^125 + 1, so 2^255 in all.
-    const auto at = [&](const Line* l) { return leading(words_.data() + l->first, l->bits); };
-    const Sign sign = clear_sign(det3<6, 2, 2>(at(x), at(y), at(z)), 255);
-    if (sign != uncertain) {
-      ++tally().filter;
-      return sign;
-    }
   }
   const int shorter = static_cast<int>(std::max(x->bits, y->bits)), longest = static_cast<int>(z->bits);
   const auto at = [&]<int N>(Words<N>, const Line* l) {
@@ -292,6 +326,19 @@ Sign SightlineTable::exact_side(SightlineRef a, PointId p) const {
   const Eye& e = exact_eye_;
   const Line& line = line_[a.id];
   const auto bits = static_cast<int>(line.bits);
+  if (e.difference_bits > static_cast<int>(word_bits) && e.difference_bits <= static_cast<int>(leading_bits)) {
+    const Wide3<2> difference = from_eye<2>(planes_->points(), p, e);
+    std::array<std::int64_t, 3> word;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const __int128 c = fixed_detail::to_int128(difference[k]);
+      word[k] = static_cast<std::int64_t>(c >> (e.difference_bits - static_cast<int>(word_bits)));
+    }
+    const Sign sign = leading_dot(leading_word(words_.data() + line.first, line.bits), word);
+    if (sign != uncertain) {
+      ++tally().filter;
+      return a.sign * sign;
+    }
+  }
   return a.sign * decide(bits + e.difference_bits + 2, [&](auto width) -> Sign {
            constexpr int W = width();
            return narrowed<W>(bits, e.difference_bits, [&]<int N, int M>(Words<N>, Words<M>) -> Sign {

@@ -50,6 +50,7 @@ void SightlineTable::reset(const PlaneTable& planes, const GridPoint& eye) {
   by_planes_.clear();
   if (++stamp_ == 0) {
     std::fill(side_stamp_.begin(), side_stamp_.end(), 0);
+    told_.clear();
     stamp_ = 1;
   }
 }
@@ -145,6 +146,9 @@ bool SightlineTable::same_line(SightlineId id, const Normal& n) const {
   if (std::abs(o.y * approx.z - o.z * approx.y) > bound || std::abs(o.z * approx.x - o.x * approx.z) > bound ||
       std::abs(o.x * approx.y - o.y * approx.x) > bound)
     return false;
+  if (bits + line.bits > 2 * word_bits && leading_apart(leading_word(words, bits), leading_word(other, line.bits))) {
+    return false;
+  }
   if (bits > leading_bits && line.bits > leading_bits) {
     // Components below 2^125, within 1: two products, each within 2^126 + 1.
     const Wide3<4> c = cross<4, 2>(leading(words, bits), leading(other, line.bits));

@@ -1,6 +1,7 @@
 // The planes through one camera's eye, interned: lines of the window that coincide have one id.
 #pragma once
 
+#include "exact/order_filter.hpp"
 #include "exact/predicates.hpp"
 #include "exact/stamped_map.hpp"
 #include "exact/tally.hpp"
@@ -8,15 +9,6 @@
 #include <vector>
 
 namespace sightline {
-
-/// Sign of det(x, y, z) of approximate normals. Components are at most 1, each within u = 2^-53. Data: six terms, each
-/// within 3u. Rounding: the minors are within 4u, their products with the third within 6u, and the two sums add 4u and
-/// 6u. 18 + 18 + 10 = 46 u; the bound is 64 u. A contracted product only rounds less.
-inline Sign filter_order(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z) {
-  constexpr double bound = 64 * 0x1p-53;
-  const double det = (x.y * y.z - x.z * y.y) * z.x + (x.z * y.x - x.x * y.z) * z.y + (x.x * y.y - x.y * y.x) * z.z;
-  return det > bound ? 1 : det < -bound ? -1 : uncertain;
-}
 
 /// All sightlines of one eye. A sightline is a plane through the eye, given by its normal up to a positive factor;
 /// normals that are multiples of one another share one id (canonical: the one that came first; refs carry the sign).
@@ -90,8 +82,7 @@ class SightlineTable {
   /// By identity: is p one of them?
   bool holds(SightlineId id, PointId p) const { return line_[id].a == p || line_[id].b == p; }
   std::array<Integer, 3> normal(SightlineId id) const;
-  /// The ray N_a x N_b of two different lines' canonical normals, however close these are: scaled by a power of two to
-  /// largest component in [1/2, 1], each within 2^-53.
+  /// The ray N_a x N_b of two different lines' canonical normals, however close: scaled and rounded as approx().
   glm::dvec3 corner(SightlineId a, SightlineId b) const;
   /// Bit length of the longest component of the canonical normal.
   std::uint32_t bits(SightlineId id) const { return line_[id].bits; }
@@ -133,7 +124,9 @@ class SightlineTable {
   SightlineRef make_of_points(PointId a, PointId b), make_of_short_points(PointId a, PointId b);
   SightlineRef make_of_planes(PlaneId p, PlaneId q);
   Sign exact_eye_side(PlaneId p) const, exact_side(SightlineRef a, PointId p) const;
-  Sign exact_order(SightlineId a, SightlineId b, SightlineId c) const;
+  /// As order() of three different lines, each as it is, where doubles do not tell.
+  Sign exact_order(SightlineId a, SightlineId b, SightlineId c);
+  Sign compute_order(const Line& a, const Line& b, const Line& c) const;
 
   const PlaneTable* planes_ = nullptr;
   GridPoint eye_;
@@ -145,6 +138,13 @@ class SightlineTable {
   std::vector<std::uint32_t> side_stamp_;
   std::vector<std::int8_t> side_;
   std::uint32_t stamp_ = 0;
+  /// What exact_order has answered lately: half of its questions are asked again, of a corner by the next polygon.
+  struct Told {
+    SightlineId a, b, c;
+    std::uint32_t stamp;
+    Sign sign;
+  };
+  std::vector<Told> told_;
 };
 
 }  // namespace sightline

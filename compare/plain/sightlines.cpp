@@ -84,7 +84,7 @@ Sign SightlineTable::exact_eye_side(PlaneId p) const {
   return sign_of_double(value_at(planes_->approx(p), exact_eye_.approx));
 }
 
-Sign SightlineTable::exact_order(SightlineId a, SightlineId b, SightlineId c) const {
+Sign SightlineTable::exact_order(SightlineId a, SightlineId b, SightlineId c) {
   return sign_of_double(glm::dot(glm::cross(line_[a].approx, line_[b].approx), line_[c].approx));
 }
 
