@@ -111,18 +111,24 @@ template <bool fused>
 /// With F, R, U the largest components of the three vectors, products are at most 3 F, within 96 vF (see dot), and so
 /// on. In the last minor no product is above 9 RU: with the data's 2 2 3 96 vRU and its own 64 9 vRU it is within 2^11
 /// vRU = 2^-95 RU. The others alike: State::place_error.
+struct SeenPlace {
+  Twofold s{0, 0}, t{0, 0};                       // s - 1/2, t - 1/2
+  double s_error = HUGE_VAL, t_error = HUGE_VAL;  // what they are within
+};
 template <bool fused>
-[[gnu::always_inline]] inline glm::dvec2 filter_st(const State& s, const WindowLine& a, const WindowLine& b) {
+[[gnu::always_inline]] inline SeenPlace seen_place(const State& s, const WindowLine& a, const WindowLine& b) {
   const Twofold depth = minor<fused>(a.right, b.up, a.up, b.right);
   const double depth_error = s.place_error[0], size_of_depth = std::abs(depth.high);
-  if (!(size_of_depth > 2 * depth_error)) return {NAN, NAN};
-  const auto coordinate = [&](const Twofold& x, double error) __attribute__((always_inline)) {
-    const Twofold q = quotient<fused>(x, depth);
+  if (!(size_of_depth > 2 * depth_error)) return {};
+  SeenPlace place;
+  const auto set = [&](Twofold & q, double& within, const Twofold& x, double error) __attribute__((always_inline)) {
+    q = quotient<fused>(x, depth);
     const double size = std::abs(q.high);
-    return nearest(q, 4 * (error + size * depth_error) / size_of_depth + 0x1p-100 * size);
+    within = 4 * (error + size * depth_error) / size_of_depth + 0x1p-100 * size;
   };
-  return {coordinate(minor<fused>(a.up, b.forward, a.forward, b.up), s.place_error[1]),
-          coordinate(minor<fused>(a.forward, b.right, a.right, b.forward), s.place_error[2])};
+  set(place.s, place.s_error, minor<fused>(a.up, b.forward, a.forward, b.up), s.place_error[1]);
+  set(place.t, place.t_error, minor<fused>(a.forward, b.right, a.right, b.forward), s.place_error[2]);
+  return place;
 }
 
 template <bool fused>
@@ -143,7 +149,8 @@ template <bool fused>
   s.window_line_of.assign(s.table->size(), none);
   for (VertexDraft& vertex : s.vertices) {
     const Corner& corner = s.corners[vertex.corner];
-    vertex.st = filter_st<fused>(s, window_line<fused>(s, corner.low), window_line<fused>(s, corner.high));
+    const SeenPlace place = seen_place<fused>(s, window_line<fused>(s, corner.low), window_line<fused>(s, corner.high));
+    vertex.st = {nearest(place.s, place.s_error), nearest(place.t, place.t_error)};
   }
 }
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -252,6 +259,23 @@ void finish_place(const State& s, VertexDraft& vertex) {
   vertex.direction = glm::normalize(s.frame[0] + (st.x - 0.5) * s.frame[1] + (st.y - 0.5) * s.frame[2]);
 }
 
+/// As compare_places, by places twice as long as doubles; uncertain where they agree.
+Sign compare_seen(State& s, CornerId a, CornerId b) {
+  const auto place = [&](CornerId id) {
+    const Corner& corner = s.corners[id];
+    // Lines found while another is held would move it.
+    window_line<false>(s, corner.low);
+    window_line<false>(s, corner.high);
+    return seen_place<false>(s, window_line<false>(s, corner.low), window_line<false>(s, corner.high));
+  };
+  const SeenPlace p = place(a), q = place(b);
+  // The difference of two twofold numbers is rounded three times, by u of what is left and u^2 of the numbers.
+  const Twofold upper = two_sum(p.s.high, -q.s.high);
+  const double difference = upper.high + (upper.low + (p.s.low - q.s.low));
+  const double bound = 2 * (p.s_error + q.s_error) + 0x1p-100 * (std::abs(p.s.high) + std::abs(q.s.high));
+  return difference > bound ? 1 : difference < -bound ? -1 : uncertain;
+}
+
 }  // namespace
 
 void place_vertices(State& s) {
@@ -275,6 +299,7 @@ Sign compare_places(State& s, CornerId a, CornerId b) {
     }
     return 0;
   }
+  if (const Sign seen = compare_seen(s, a, b); seen != uncertain) return seen;
   const Integer3 p = exact_st(s, a), q = exact_st(s, b);
   const Sign denominators = sgn(p[2]) * sgn(q[2]);
   for (std::size_t k = 0; k < 2; ++k) {
