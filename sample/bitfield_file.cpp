@@ -5,6 +5,7 @@
 #include "scene/readers.hpp"
 #include "scene/text_scanner.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -16,6 +17,9 @@ namespace {
 
 constexpr unsigned most_pixels = 16384;
 constexpr std::uint64_t most_bits = std::uint64_t{1} << 34;  // in all fields: 2 GiB
+/// The longest run of equal bits. Of a longer one the rest stands behind a run of no other bits, " 1024 0 7", so that
+/// no file is much smaller than what it becomes in memory, and its size bounds what reading it takes.
+constexpr std::uint32_t longest_run = 1024;
 
 template <class Number>
 void append(std::string& text, Number value, int base = 10) {
@@ -36,10 +40,9 @@ void append(std::string& text, const glm::dvec3& v) {
 /// Lengths of runs of equal bits, zeros first.
 std::string runs_of(const IdBitfield& field) {
   std::string text;
-  for (std::uint32_t at = 0, end = 0; at < field.size(); at = end) {
-    const bool set = field.test(at);
-    if (at == 0 && set) text += " 0";
-    while (end < field.size() && field.test(end) == set) ++end;
+  bool set = false;  // what the next run is of
+  for (std::uint32_t at = 0, end = 0; at < field.size(); at = end, set = !set) {
+    while (end < field.size() && end - at < longest_run && field.test(end) == set) ++end;
     append(text += ' ', end - at);
   }
   return text;
@@ -113,11 +116,17 @@ class BitfieldReader {
     end_line(item);
   }
 
+  /// An empty field, if what is left of the file can hold that many bits: `most` of them a character.
+  IdBitfield field_of(const Item& item, std::uint32_t bits, std::uint64_t most) {
+    if (bits > most * in_.remaining()) in_.fail(item, "the file ends within it");
+    return IdBitfield(bits);
+  }
+
   IdBitfield runs(const Item& item, std::uint32_t bits) {
-    IdBitfield field(bits);
+    IdBitfield field = field_of(item, bits, longest_run / 4);  // " 1024" at least
     std::uint32_t at = 0;
     for (bool set = false; !in_.at_line_end(); set = !set) {
-      const std::uint32_t length = number(item, "run", 0, bits - at);
+      const std::uint32_t length = number(item, "run", 0, std::min(bits - at, longest_run));
       for (std::uint32_t k = 0; set && k < length; ++k) field.set(at + k);
       at += length;
     }
@@ -126,7 +135,7 @@ class BitfieldReader {
   }
 
   IdBitfield words(const Item& item, std::uint32_t bits) {
-    IdBitfield field(bits);
+    IdBitfield field = field_of(item, bits, 64);  // " 0" at least
     for (std::uint32_t k = 0; k < field.words().size(); ++k) {
       const std::uint64_t w = hexadecimal(item);
       if (64 * std::uint64_t{k} + 64 - static_cast<unsigned>(std::countl_zero(w)) > bits && w != 0) {
@@ -201,7 +210,10 @@ class BitfieldReader {
 std::string bitfield_text(const BitfieldSamples& samples) {
   std::string source = samples.source;
   for (char& c : source) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '_';
+  }
+  for (char* end : {source.data(), source.data() + source.size() - 1}) {
+    if (!source.empty() && *end == ' ') *end = '_';  // blanks at the ends would not be read back
   }
   std::string text = "sightline-bitfield 1\nsource " + source + "\npolygons ";
   append(text, samples.polygons);

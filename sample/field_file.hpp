@@ -8,6 +8,9 @@
 namespace sightline {
 
 inline constexpr std::string_view field_file_line = "sightline-field 1\n";
+/// The longest run of equal samples: longer ones are several, so that no file is much smaller than what it becomes in
+/// memory, and its size bounds what reading it takes.
+inline constexpr std::size_t longest_field_run = 1024;
 
 /// FNV-1a, 64 bits.
 inline std::uint64_t field_checksum(std::string_view bytes) {

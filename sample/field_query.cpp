@@ -143,7 +143,8 @@ FieldMarks trace_marks(const RayCaster& caster, const Scene& scene, const FieldC
     }
     caster.cast(rays, hits, true);
     for (const RayHit& hit : hits) {
-      if (hit.polygon != none) seen[partition.of[hit.polygon]] = 1;
+      const std::uint32_t cell = hit.polygon == none ? none : partition.of[hit.polygon];
+      if (cell != none) seen[cell] = 1;  // the partition of another scene may leave out what is hit
     }
   }
   for (std::uint32_t cell = 0; cell < partition.count; ++cell) {

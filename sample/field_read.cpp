@@ -3,6 +3,7 @@
 #include "scene/byte_order.hpp"
 #include "scene/errors.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <fstream>
@@ -129,7 +130,8 @@ void read_levels(Reader& r, Field& field, const std::array<std::uint32_t, 4>& sa
     while (level.lists.size() < size) {
       const std::uint32_t list = r.small(0, field.list_count() - 1, "a sample's list");
       r.must(k > 0 || field.list(list).size() <= field.ids, "a sample holds too many cells");
-      const std::uint32_t length = r.small(1, size - level.lists.size(), "length of a run");
+      const std::uint32_t length =
+          r.small(1, std::min(longest_field_run, size - level.lists.size()), "length of a run");
       level.lists.insert(level.lists.end(), length, list);
     }
     field.levels.push_back(level);

@@ -3,6 +3,7 @@
 
 #include "scene/read.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace sightline {
@@ -74,7 +75,8 @@ void put_lists(Writer& w, const Field& field) {
 void put(Writer& w, const FieldLevel& level) {
   for (std::size_t k = 0, next; k < level.lists.size(); k = next) {
     next = k + 1;
-    while (next < level.lists.size() && level.lists[next] == level.lists[k]) ++next;
+    const std::size_t end = std::min(level.lists.size(), k + longest_field_run);
+    while (next < end && level.lists[next] == level.lists[k]) ++next;
     w.number(level.lists[k]);
     w.number(next - k);
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 
 namespace sightline {
@@ -21,6 +22,15 @@ void refuse_backs(const RTCFilterFunctionNArguments* about) {
                         RTCRayN_dir_z(about->ray, about->N, k) * RTCHitN_Ng_z(about->hit, about->N, k);
     if (along > 0) about->valid[k] = 0;
   }
+}
+
+/// Embree ends the process where a ray has a larger number, or none.
+constexpr float largest_number = 1.8e18F;
+
+bool can_be_cast(const Ray& ray) {
+  const auto fine = [](float x) { return std::abs(x) <= largest_number; };
+  return fine(ray.origin.x) && fine(ray.origin.y) && fine(ray.origin.z) && fine(ray.direction.x) &&
+         fine(ray.direction.y) && fine(ray.direction.z);
 }
 
 void prepare(RTCRayHit16& packet, unsigned k, const Ray& ray) {
@@ -104,8 +114,9 @@ void RayCaster::cast(std::span<const Ray> rays, std::span<RayHit> hits, bool coh
   for (std::size_t first = 0; first < rays.size(); first += 16) {
     const auto count = static_cast<unsigned>(std::min<std::size_t>(16, rays.size() - first));
     for (unsigned k = 0; k < 16; ++k) {
-      valid[k] = k < count ? -1 : 0;
-      prepare(packet, k, rays[first + std::min(k, count - 1)]);
+      const Ray& ray = rays[first + std::min(k, count - 1)];
+      valid[k] = k < count && can_be_cast(ray) ? -1 : 0;
+      prepare(packet, k, ray);
     }
     rtcIntersect16(valid, tree_->scene, &context, &packet);
     for (unsigned k = 0; k < count; ++k) {

@@ -30,7 +30,8 @@ class RayCaster {
   RayCaster& operator=(const RayCaster&) = delete;
 
   /// hits[k] is ray k's; both have the same length, and 16 rays at a time are followed together.
-  /// `coherent`: neighbours run nearly alike, as those of a block of pixels do.
+  /// `coherent`: neighbours run nearly alike, as those of a block of pixels do. A ray with a number that is none or
+  /// beyond 1.8e18 hits nothing.
   void cast(std::span<const Ray> rays, std::span<RayHit> hits, bool coherent) const;
   /// Memory that the tree takes.
   std::size_t bytes() const;
