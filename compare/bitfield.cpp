@@ -1,4 +1,5 @@
 // ID bitfields (Meruvia and Strothotte): the polygons of a list made beforehand, drawn without error.
+#include "compare/memory.hpp"
 #include "compare/method.hpp"
 #include "compare/subset.hpp"
 #include "sample/bitfield_viewer.hpp"
@@ -28,20 +29,22 @@ BitfieldSetting bitfield_setting(const std::string& text) {
   return setting;
 }
 
-BitfieldViewer viewer_of(const Scene& scene, const BitfieldSetting& setting, bool exact) {
+BitfieldViewer viewer_of(const Scene& scene, const BitfieldSetting& setting, bool exact, std::size_t& building) {
   std::vector<Camera> cameras;
   for (const CameraLine& c : sphere_cameras(scene, setting.samples)) {
     cameras.push_back(make_camera(c.eye, c.forward, c.up, c.vertical_fov_degrees, c.aspect));
   }
   BitfieldSampling sampling;
   sampling.exact = exact;
+  sampling.building_bytes = &building;
   return {sample_bitfields(scene, cameras, sampling), {setting.neighbours, BitfieldViewing::lists, 1}};
 }
 
-class Bitfields : public TimedMethod {
+class Bitfields : public TimedMethod, public TellsMemory {
  public:
   Bitfields(const Scene& scene, const BitfieldSetting& setting, bool exact)
-      : scene_(scene), viewer_(viewer_of(scene, setting, exact)) {}
+      : scene_(scene), viewer_(viewer_of(scene, setting, exact, building_)) {}
+  MethodMemory memory() const override { return {viewer_.bytes(), building_}; }  // its lists
 
  private:
   void look(const Camera& camera) override {
@@ -55,6 +58,7 @@ class Bitfields : public TimedMethod {
   }
 
   const Scene& scene_;
+  std::size_t building_ = 0;
   BitfieldViewer viewer_;
   std::span<const PolygonId> polygons_;
   Camera camera_;

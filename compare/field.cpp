@@ -1,5 +1,6 @@
 // Visibility fields (Blais and Poulin): what is marked is drawn exactly, so that the error is that of the set alone.
 #include "sample/field.hpp"
+#include "compare/memory.hpp"
 #include "compare/method.hpp"
 #include "compare/subset.hpp"
 #include "sample/field_query.hpp"
@@ -27,10 +28,18 @@ constexpr double cells_along_object = 16, view_cells_along_scene = 16;
 /// Fields know what is seen from free space. For eyes outside of the scene's box there is one field of six slabs around
 /// it; for eyes within, one for each cube of a grid in which an eye comes to lie, made when it does. Of each only the
 /// slabs that a camera looks along are made.
-class VisibilityField : public TimedMethod {
+class VisibilityField : public TimedMethod, public TellsMemory {
  public:
   VisibilityField(const Scene& scene, const Setting& setting)
       : scene_(scene), setting_(setting), box_(box_of(scene)), partition_(partition()) {}
+
+  /// Of all fields so far; the numbers of the polygons' cells, which they share, once.
+  MethodMemory memory() const override {
+    const std::size_t shared = partition_.of.size() * sizeof(std::uint32_t);
+    MethodMemory sum{shared, tree_bytes_};
+    for (const auto& [key, part] : parts_) sum.kept += field_memory_bytes(part->field) - shared;
+    return sum;
+  }
 
  private:
   struct Part {
@@ -69,7 +78,9 @@ class VisibilityField : public TimedMethod {
       if (part == nullptr) {
         FieldQueryOptions options = one_view;
         options.filter = setting_.filter;
-        part = std::make_unique<Part>(build_field(scene_, {slabs[k]}, partition_, setting_.field), options);
+        FieldStats stats;
+        part = std::make_unique<Part>(build_field(scene_, {slabs[k]}, partition_, setting_.field, {}, &stats), options);
+        tree_bytes_ = stats.tree_bytes;
       }
       asked_.push_back(part.get());
     }
@@ -113,6 +124,7 @@ class VisibilityField : public TimedMethod {
   std::map<Key, std::unique_ptr<Part>> parts_;
   std::vector<Part*> asked_;
   std::vector<std::uint32_t> cells_;
+  std::size_t tree_bytes_ = 0;
   Camera seen_from_;
 };
 

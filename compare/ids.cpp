@@ -1,13 +1,15 @@
 // An ID buffer, rasterised.
+#include "compare/memory.hpp"
 #include "compare/method.hpp"
 #include "sample/id_buffer.hpp"
 
 namespace sightline::comparison {
 namespace {
 
-class Ids : public TimedMethod {
+class Ids : public TimedMethod, public TellsMemory {
  public:
   Ids(const Scene& scene, unsigned size) : buffer_(scene, size) {}
+  MethodMemory memory() const override { return {buffer_.bytes(), 0}; }
 
  private:
   void look(const Camera& camera) override { items_ = buffer_.draw(camera); }

@@ -1,4 +1,5 @@
 // An item buffer by ray casting: a ray through the middle of each pixel.
+#include "compare/memory.hpp"
 #include "compare/method.hpp"
 #include "sample/places.hpp"
 #include "sample/ray_caster.hpp"
@@ -9,12 +10,13 @@
 namespace sightline::comparison {
 namespace {
 
-class Rays : public TimedMethod {
+class Rays : public TimedMethod, public TellsMemory {
  public:
   Rays(const Scene& scene, unsigned size) : scene_(scene), caster_(scene) {
     pixels_.size = size;
     pixels_.items.resize(std::size_t{size} * size);
   }
+  MethodMemory memory() const override { return {caster_.bytes() + pixels_.items.size() * sizeof(PolygonId), 0}; }
 
  private:
   /// Blocks of 4 by 4 pixels, smaller at the window's end.

@@ -212,9 +212,8 @@ std::string bitfield_text(const BitfieldSamples& samples) {
   for (char& c : source) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '_';
   }
-  for (char* end : {source.data(), source.data() + source.size() - 1}) {
-    if (!source.empty() && *end == ' ') *end = '_';  // blanks at the ends would not be read back
-  }
+  if (source.starts_with(' ')) source.front() = '_';  // blanks at the ends would not be read back
+  if (source.ends_with(' ')) source.back() = '_';
   std::string text = "sightline-bitfield 1\nsource " + source + "\npolygons ";
   append(text, samples.polygons);
   append(text += "\nscene ", samples.scene_number, 16);

@@ -74,6 +74,7 @@ class Sampler {
     if (setting_.neighbours) fill_in(scene, *setting_.neighbours, camera.eye, options_.fill_rounds, field);
     return field;
   }
+  std::size_t buffer_bytes() const { return buffer_ ? buffer_->bytes() : 0; }
 
  private:
   const Setting& setting_;
@@ -154,6 +155,9 @@ BitfieldSamples sample_bitfields(const Scene& scene, std::span<const Camera> cam
   };
   tbb::task_arena arena(static_cast<int>(options.threads));
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), sample_one, tbb::simple_partitioner()); });
+  if (options.building_bytes != nullptr) {
+    *options.building_bytes = setting.tree ? setting.tree->size().bytes : samplers.local().buffer_bytes();
+  }
   return out;
 }
 

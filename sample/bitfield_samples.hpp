@@ -26,6 +26,8 @@ struct BitfieldSampling {
   unsigned threads = 1;
   /// Called after every sample, from any thread.
   std::function<void()> step = [] {};
+  /// Where given, set to the memory that sampling alone needs: the exact tree, or one buffer.
+  std::size_t* building_bytes = nullptr;
 };
 
 /// What is kept of a scene, in memory or in a file: a bitfield for each camera, the same for any number of threads.

@@ -54,7 +54,8 @@ struct Field {
 
 struct FieldStats {
   double seconds = 0;
-  std::uint64_t rays = 0;  // cast, those that went on behind a hit included
+  std::uint64_t rays = 0;      // cast, those that went on behind a hit included
+  std::size_t tree_bytes = 0;  // of Embree's tree, which sampling alone needs
 };
 
 /// Samples a scene. `step` is called field_steps() times, from any thread. Throws std::length_error where there are

@@ -89,6 +89,7 @@ Field build_field(const Scene& scene, const std::vector<FieldSlab>& slabs, const
   if (stats != nullptr) {
     stats->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     stats->rays = rays;
+    stats->tree_bytes = caster.bytes();
   }
   return field;
 }

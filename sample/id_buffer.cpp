@@ -37,6 +37,10 @@ double inside(const glm::dvec3& p, int side) {
 
 }  // namespace
 
+std::size_t IdBuffer::bytes() const {
+  return items_.size() * sizeof(PolygonId) + nearest_.size() * sizeof(float) + places_.bytes();
+}
+
 IdBuffer::IdBuffer(const Scene& scene, std::uint32_t size)
     : scene_(scene),
       places_(places_of(scene)),

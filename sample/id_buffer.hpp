@@ -21,6 +21,8 @@ class IdBuffer {
   /// polygon: where it is 0 the polygon is left out; empty, all are drawn.
   std::span<const PolygonId> draw(const Camera& camera, std::span<const char> wanted = {});
   std::uint32_t size() const { return size_; }
+  /// Memory: of the pixels and of the polygons as they are drawn.
+  std::size_t bytes() const;
 
  private:
   void clip(int side);

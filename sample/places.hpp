@@ -16,6 +16,10 @@ struct Places {
   std::vector<glm::dvec3> corners;
   std::vector<PolygonId> polygons;
   std::size_t size() const { return polygons.size(); }
+  std::size_t bytes() const {
+    return first.size() * sizeof(std::uint32_t) + corners.size() * sizeof(glm::dvec3) +
+           polygons.size() * sizeof(PolygonId);
+  }
   std::span<const glm::dvec3> of(std::size_t k) const {
     return std::span(corners).subspan(first[k], first[k + 1] - first[k]);
   }

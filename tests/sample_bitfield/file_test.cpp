@@ -69,6 +69,35 @@ TEST(BitfieldFile, HoldsAnyBits) {
   EXPECT_EQ(parse_bitfield("x", text), samples);
 }
 
+TEST(BitfieldFile, BecomesNoMoreThanSoManyTimesItsSize) {
+  const Scene scene = make_scene(bumpy_ball(5));
+  BitfieldSampling options;
+  options.pixels = 30;
+  BitfieldSamples samples = taken(scene, options);
+  samples.polygons = 5000;
+  for (IdBitfield& field : samples.fields) field = IdBitfield(5000);
+  samples.fields[1].set(1024);
+  const std::string text = bitfield_text(samples), runs = "runs 1024 0 1024 0 1024 0 1024 0 904\n";
+  EXPECT_EQ(parse_bitfield("x", text), samples);
+  EXPECT_NE(complaint(replaced(text, runs, "runs 5000\n")).find("11: sample 0: run 5000 out of range"),
+            std::string::npos);
+  const std::string most = "4294967294", few = replaced(text, "polygons 5000", "polygons " + most);
+  EXPECT_NE(complaint(replaced(replaced(few, "patch 0 5000", "patch 0 " + most), "samples 6", "samples 4"))
+                .find("11: sample 0: the file ends within it"),
+            std::string::npos);
+}
+
+TEST(BitfieldFile, NameOfTheSourceReadsBack) {
+  BitfieldSampling options;
+  options.pixels = 30;
+  BitfieldSamples samples = taken(make_scene(bumpy_ball(5)), options);
+  for (const auto& [name, written] : std::vector<std::pair<std::string, std::string>>{
+           {"", ""}, {" ", "_"}, {" a b.obj ", "_a b.obj_"}, {"a\tb\n", "a_b_"}, {"\x01", "_"}}) {
+    samples.source = name;
+    EXPECT_EQ(parse_bitfield("x", bitfield_text(samples)).source, written);
+  }
+}
+
 TEST(BitfieldFile, RefusesWhatIsWrongInOneLine) {
   const Scene scene = make_scene(bumpy_ball(5));
   BitfieldSampling options;

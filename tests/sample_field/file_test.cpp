@@ -84,6 +84,21 @@ TEST(FieldFile, NothingButAFieldIsRead) {
   EXPECT_THROW(read_field(::testing::TempDir()), InputError);
 }
 
+TEST(FieldFile, BecomesNoMoreThanSoManyTimesItsSize) {
+  Field field;  // in which nothing is seen
+  field.slabs = slabs_around({{0, 0, 0}, {1, 1, 1}});
+  field.slabs.resize(1);
+  field.first = {0, 0};
+  field.levels.push_back({{1, 1, 64, 64}, std::vector<std::uint32_t>(4096)});
+  const std::string good = field_bytes(field), run("\0\x80\x08", 3), runs = run + run + run + run;
+  ASSERT_EQ(good.substr(good.size() - 8 - runs.size(), runs.size()), runs);
+  EXPECT_EQ(read_field(file_of(good)).levels, field.levels);
+  const std::string one_run("\0\x80\x20", 3);
+  EXPECT_NE(refusal(signed_again(good.substr(0, good.size() - 8 - runs.size()) + one_run + "12345678"))
+                .find("length of a run: 4096, at most 1024"),
+            std::string::npos);
+}
+
 TEST(FieldFile, EveryPrefixAndEveryByteMayLie) {
   const std::string good = field_bytes(made());
   std::mt19937_64 random(7);
