@@ -43,12 +43,10 @@ int run(const ErrorOptions& options) {
   const std::vector<Camera> cameras = read_cameras(options.cameras);
   const Scene scene = make_scene(read_polygons(options.scene));
   std::vector<comparison::MethodMemory> memory(methods.size());
-  std::size_t done = 0;
   const auto results = comparison::compare_methods(scene, cameras, methods, [&] {
     for (std::size_t k = 0; k < known.size(); ++k) {
       if (known[k] != nullptr) memory[k] = known[k]->memory();
     }
-    std::fprintf(stderr, "camera %zu of %zu\n", ++done, cameras.size());
   });
   std::printf("%u polygons, %zu cameras\n%s", scene.polygon_count(), cameras.size(),
               comparison::table(results).c_str());

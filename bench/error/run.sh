@@ -3,10 +3,11 @@
 # Runs `sightline compare` (COMMAND: the built command) over models and scenes: its tables go to FOLDER/tables.txt, its
 # pictures to FOLDER/NAME.svg and .png, everything view by view to FOLDER/NAME.csv. Without a list: five models, the
 # same turned by 17 degrees, and the scenes of ../shared/scenes beside the checkout where they are. A scene file has its .cameras beside it.
-# CAMERAS: so many of each file's cameras, evenly spread (default 6). METHODS: for all but turned models.
+# CAMERAS: so many of each file's cameras, evenly spread (default 6). METHODS: for all but turned models. MEMORY: the built
+# bench_error, which adds what sampled methods hold in memory to the tables, and makes no pictures.
 set -euo pipefail
 
-[ $# -ge 2 ] || { sed -n '2,6s/^# //p' "$0" >&2; exit 2; }
+[ $# -ge 2 ] || { sed -n '2,7s/^# //p' "$0" >&2; exit 2; }
 command=$1 folder=$2
 shift 2
 cameras=${CAMERAS:-6}
@@ -58,7 +59,14 @@ for subject in "$@"; do
   echo "bench/error: $name" >&2
   {
     echo "$name"
-    if ! "$command" compare "$work/$name.obj" --cameras "$work/some.cameras" --methods "$list" -o "$work/out" 2>&1; then
+    if [ -n "${MEMORY:-}" ]; then
+      run=("$MEMORY")
+      made=()
+    else
+      run=("$command" compare)
+      made=(-o "$work/out")
+    fi
+    if ! "${run[@]}" "$work/$name.obj" --cameras "$work/some.cameras" --methods "$list" "${made[@]}" 2>&1; then
       echo "(failed)"
     fi
     echo
