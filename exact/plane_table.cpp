@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 namespace sightline {
 namespace {
@@ -17,13 +18,62 @@ std::uint64_t mix(std::uint64_t h, std::uint64_t x) {
   return h ^ (h >> 29);
 }
 
+constexpr int two_words = 124;  // bits of coordinates whose differences, planes and walls `canonical` can take
+
+/// A plane as intern_words takes it: its normal without common divisors and with the sign of its first component, and
+/// the offset.
+struct Canonical {
+  std::array<std::uint64_t, 3 * 4 + 6> words;
+  std::uint32_t normal_bits = 0, offset_bits = 0;
+  bool flipped = false;
+};
+
+/// Of a normal of N words and a point of the plane in two. None if the normal is zero.
+template <int N>
+std::optional<Canonical> canonical(const Wide3<N>& n, const Wide3<2>& p) {
+  static_assert(std::is_same_v<mp_limb_t, std::uint64_t>);
+  const std::array<Sign, 3> s{sign(n[0]), sign(n[1]), sign(n[2])};
+  const Sign leading = s[0] != 0 ? s[0] : s[1] != 0 ? s[1] : s[2];
+  if (leading == 0) return std::nullopt;
+  Wide3<N> m;
+  mpz_t view[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    m[k] = s[k] < 0 ? -n[k] : n[k];
+    mpz_roinit_n(view[k], m[k].word, N);
+  }
+  // These keep their room: to ask for it anew takes longer than the rest.
+  thread_local Integer divisor, quotient;
+  mpz_gcd(divisor.get_mpz_t(), view[0], view[1]);
+  mpz_gcd(divisor.get_mpz_t(), divisor.get_mpz_t(), view[2]);
+  if (divisor != 1) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      mpz_divexact(quotient.get_mpz_t(), view[k], divisor.get_mpz_t());
+      store_words(quotient, m[k].word, N);
+    }
+  }
+  Canonical made;
+  made.flipped = leading < 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (s[k] == -leading) m[k] = -m[k];
+    made.normal_bits = std::max(made.normal_bits, magnitude_bits(m[k].word, N));
+  }
+  const std::uint32_t stride = words_for(made.normal_bits);
+  for (std::size_t k = 0; k < 3; ++k) std::copy(m[k].word, m[k].word + stride, made.words.data() + k * stride);
+  // What divides a normal divides its product with a point.
+  const Fixed<N + 2> offset = dot<N + 2, N, 2>(m, p);
+  made.offset_bits = magnitude_bits(offset.word, N + 2);
+  std::copy(offset.word, offset.word + words_for(made.offset_bits), made.words.data() + std::size_t{3} * stride);
+  return made;
+}
+
 }  // namespace
 
 PlaneTable::Interned PlaneTable::add_points(PointId a, PointId b, PointId c) {
   const PlaneSource source{PlaneSource::points, a, b, c};
   const int bits = points_->bits();
   const std::uint64_t *const p = points_->words(a), *const q = points_->words(b), *const r = points_->words(c);
-  // Differences have B + 1 bits, n 2B + 3, d = n.p 3B + 5: 61 and 92 for B = 29, 123 and 185 for B = 60.
+  // Differences have B + 1 bits, n 2B + 3, d = n.p 3B + 5: 61 and 92 for B = 29, 123 and 185 for B = 60, 251 and 377
+  // for B = 124.
   const auto normal = [&]<int N, int M>() {
     const std::uint32_t stride = points_->stride();
     Wide3<N> u, v;
@@ -53,6 +103,11 @@ PlaneTable::Interned PlaneTable::add_points(PointId a, PointId b, PointId c) {
     const Wide3<2> n = normal.operator()<1, 2>();
     if (const auto made = along_axis(n)) return *made;
     return intern_short(n, dot<3, 2, 1>(n, load3<1>(p, 1)), source);
+  }
+  if (bits <= two_words) {
+    const auto made = canonical<4>(normal.operator()<2, 4>(), load3<2>(p, points_->stride()));
+    if (!made) return {};
+    return intern_words(made->words.data(), made->normal_bits, made->offset_bits, made->flipped, source);
   }
   const Wide3<0> n = normal.operator()<0, 0>();
   return intern(n, dot<0, 0, 0>(n, points_->point(a)), source);
@@ -84,6 +139,16 @@ PlaneTable::Interned PlaneTable::add_wall(PointId a, PointId b, int axis) {
     n[k1] = q[k2] - p[k2];
     n[k2] = p[k1] - q[k1];
     return intern_short(n, dot<2, 1, 1>(n, p), source);
+  }
+  if (points_->bits() <= two_words) {
+    const std::uint32_t stride = points_->stride();
+    const Wide3<2> p = load3<2>(points_->words(a), stride), q = load3<2>(points_->words(b), stride);
+    Wide3<2> n{};
+    n[k1] = q[k2] - p[k2];
+    n[k2] = p[k1] - q[k1];
+    const auto made = canonical<2>(n, p);
+    if (!made) return {};
+    return intern_words(made->words.data(), made->normal_bits, made->offset_bits, made->flipped, source);
   }
   const auto p = points_->point(a), q = points_->point(b);
   Wide3<0> n;
