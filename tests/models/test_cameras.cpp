@@ -53,6 +53,7 @@ TEST_P(ModelCameras, EyesAreInFreeSpace) {
       }
       if (!GetParam().solid || !nearest.any) continue;
       ASSERT_TRUE(nearest.from_front) << "eye " << c << " is within a wall";
+      if (polygons.size() > 5000) break;  // one ray tells; more of them also look for holes in walls
     }
   }
 }
