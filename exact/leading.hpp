@@ -7,25 +7,38 @@ namespace sightline {
 
 /// Where doubles do not tell, but their exact numbers are long: first the leading 62 bits of the components, then the
 /// leading 125, rounded down. On a building turned by rounded numbers what is asked is mostly about hairs, 2^-48 to
-/// 2^-60 of the whole: the first tell three quarters of it, the second nearly all the rest.
+/// 2^-60 of the whole: the first tell three fifths of it, the second nearly all the rest.
 inline constexpr std::uint32_t leading_bits = 125, word_bits = 62;
 
-/// The leading 62 bits of three components of `bits` bits at most.
-inline std::array<std::int64_t, 3> leading_word(const std::uint64_t* words, std::uint32_t bits) {
+/// The leading bits, 62 in one word or 125 in two, of three components of `bits` bits at most.
+template <int N>
+inline Wide3<N> leading(const std::uint64_t* words, std::uint32_t bits) {
+  constexpr std::uint32_t kept = N == 1 ? word_bits : leading_bits;
   const std::uint32_t stride = words_for(bits);
-  std::array<std::int64_t, 3> r;
-  if (bits <= word_bits) {
-    for (std::uint32_t k = 0; k < 3; ++k) r[k] = static_cast<std::int64_t>(words[k] << (word_bits - bits));
+  if (bits <= kept) {
+    Wide3<N> r = load3<N>(words, stride);
+    for (Wide<N>& c : r) c = shift_left(c, static_cast<int>(kept - bits));
     return r;
   }
-  const std::uint32_t first = (bits - word_bits) / 64, shift = (bits - word_bits) % 64;
+  const std::uint32_t first = (bits - kept) / 64, shift = (bits - kept) % 64;
+  Wide3<N> r;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint64_t* const w = words + k * stride + first;
-    // Two shifts, since by 64 there is none. Where there is no next word the sign fills up.
-    const std::uint64_t next = first + 1 < stride ? w[1] : fixed_detail::sign_word(w[0]);
-    r[k] = static_cast<std::int64_t>((w[0] >> shift) | (next << 1 << (63 - shift)));
+    for (std::uint32_t i = 0; i < N; ++i) {
+      // Where there is no next word the sign fills up; it is there below the last one kept. Two shifts, since by 64
+      // there is none.
+      const std::uint64_t next = i + 1 < N || first + N < stride ? w[i + 1] : fixed_detail::sign_word(w[i]);
+      r[k].word[i] = (w[i] >> shift) | (next << 1 << (63 - shift));
+    }
   }
   return r;
+}
+
+/// The leading 62 bits, as numbers.
+inline std::array<std::int64_t, 3> leading_word(const std::uint64_t* words, std::uint32_t bits) {
+  const Wide3<1> r = leading<1>(words, bits);
+  return {static_cast<std::int64_t>(r[0].word[0]), static_cast<std::int64_t>(r[1].word[0]),
+          static_cast<std::int64_t>(r[2].word[0])};
 }
 
 /// The sign of det(a, b, c) by leading words, if they tell.
@@ -63,25 +76,6 @@ inline bool leading_apart(const std::array<std::int64_t, 3>& a, const std::array
     if (minor > bound || minor < -bound) return true;
   }
   return false;
-}
-
-/// The leading 125 bits likewise.
-inline Wide3<2> leading(const std::uint64_t* words, std::uint32_t bits) {
-  const std::uint32_t stride = words_for(bits);
-  if (bits <= leading_bits) {
-    Wide3<2> r = load3<2>(words, stride);
-    for (Wide<2>& c : r) c = shift_left(c, static_cast<int>(leading_bits - bits));
-    return r;
-  }
-  const std::uint32_t first = (bits - leading_bits) / 64, shift = (bits - leading_bits) % 64;
-  Wide3<2> r;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const std::uint64_t* const w = words + k * stride + first;
-    const std::uint64_t next = first + 2 < stride ? w[2] : fixed_detail::sign_word(w[1]);
-    r[k].word[0] = (w[0] >> shift) | (w[1] << 1 << (63 - shift));
-    r[k].word[1] = (w[1] >> shift) | (next << 1 << (63 - shift));
-  }
-  return r;
 }
 
 /// The sign of a number of W words that is at least 2^bit away from zero; else uncertain.

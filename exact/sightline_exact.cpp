@@ -264,9 +264,9 @@ Sign SightlineTable::exact_order(SightlineId a, SightlineId b, SightlineId c) {
   sort(a, b);
   sort(b, c);
   sort(a, b);
-  constexpr std::size_t size = 1024;
-  if (told_.empty()) told_.resize(size, {none, none, none, 0, 0});
-  Told& told = told_[((a * 0x9e3779b1u ^ b) * 0x85ebca6bu ^ c) * 0x9e3779b1u >> 22];
+  constexpr unsigned index_bits = 10;
+  if (told_.empty()) told_.resize(std::size_t{1} << index_bits, {none, none, none, 0, 0});
+  Told& told = told_[((a * 0x9e3779b1u ^ b) * 0x85ebca6bu ^ c) * 0x9e3779b1u >> (32 - index_bits)];
   if (told.a == a && told.b == b && told.c == c && told.stamp == stamp_) {
     ++tally().identity;
   } else {
@@ -286,7 +286,7 @@ Sign SightlineTable::compute_order(const Line& a, const Line& b, const Line& c) 
     }
   }
   if (x->bits + y->bits + z->bits > 3 * leading_bits) {
-    const auto at = [&](const Line* l) { return leading(words_.data() + l->first, l->bits); };
+    const auto at = [&](const Line* l) { return leading<2>(words_.data() + l->first, l->bits); };
     const Sign sign = leading_order(at(x), at(y), at(z));
     if (sign != uncertain) {
       ++tally().filter;

@@ -151,7 +151,7 @@ bool SightlineTable::same_line(SightlineId id, const Normal& n) const {
   }
   if (bits > leading_bits && line.bits > leading_bits) {
     // Components below 2^125, within 1: two products, each within 2^126 + 1.
-    const Wide3<4> c = cross<4, 2>(leading(words, bits), leading(other, line.bits));
+    const Wide3<4> c = cross<4, 2>(leading<2>(words, bits), leading<2>(other, line.bits));
     for (const Wide<4>& k : c) {
       if (clear_sign(k, 128) != uncertain) return false;
     }

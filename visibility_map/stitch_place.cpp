@@ -259,14 +259,12 @@ void finish_place(const State& s, VertexDraft& vertex) {
   vertex.direction = glm::normalize(s.frame[0] + (st.x - 0.5) * s.frame[1] + (st.y - 0.5) * s.frame[2]);
 }
 
-/// As compare_places, by places twice as long as doubles; uncertain where they agree.
-Sign compare_seen(State& s, CornerId a, CornerId b) {
+/// As compare_places, by places twice as long as doubles; uncertain where they agree. After place_vertices, which has
+/// left the lines of all vertices behind.
+Sign compare_seen(const State& s, CornerId a, CornerId b) {
+  const auto line = [&](SightlineId id) -> const WindowLine& { return s.window_lines[s.window_line_of[id]]; };
   const auto place = [&](CornerId id) {
-    const Corner& corner = s.corners[id];
-    // Lines found while another is held would move it.
-    window_line<false>(s, corner.low);
-    window_line<false>(s, corner.high);
-    return seen_place<false>(s, window_line<false>(s, corner.low), window_line<false>(s, corner.high));
+    return seen_place<false>(s, line(s.corners[id].low), line(s.corners[id].high));
   };
   const SeenPlace p = place(a), q = place(b);
   // The difference of two twofold numbers is rounded three times, by u of what is left and u^2 of the numbers.

@@ -31,7 +31,7 @@ struct Leading {
     std::vector<std::uint64_t> all(std::size_t{3} * stride);
     for (std::uint32_t k = 0; k < 3; ++k) store_words(n[k], all.data() + k * stride, stride);
     word = leading_word(all.data(), bits);
-    words = leading(all.data(), bits);
+    words = leading<2>(all.data(), bits);
   }
 };
 
