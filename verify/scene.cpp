@@ -202,10 +202,6 @@ class Triangulation {
   int axis_ = 0, way_ = 0;
 };
 
-}  // namespace
-
-namespace {
-
 /// By place: where a loop passes a place twice, a triangle's side may be an edge of it between two other corners.
 bool is_edge(const std::vector<Corner>& chain, const Triple& p, const Triple& q) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
