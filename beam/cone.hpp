@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "beam/vector_pairs.hpp"
+#include "beam/vector_fours.hpp"
 #include "bsp/tree.hpp"
 
 namespace sightline {
@@ -33,32 +33,40 @@ struct ViewScale {
 struct Cone {
   const TreePiece* piece = nullptr;
   Sign eye_side = 0;  // of the piece's plane
-  VectorPairs ray, out;
-  std::vector<SightlineRef> outer;  // the sides' lines, pointing outwards, as far as they have been asked for
+  std::vector<glm::dvec3> ray, out;
+  VectorFours quick_ray, quick_out;  // the same for factors of at most 1 (lines) and 2 (corners)
+  std::vector<SightlineRef> outer;   // the sides' lines, pointing outwards, as far as they have been asked for
   glm::dvec3 middle{0};
 
   void set(const ViewScale& scale, const TreePiece& p, Sign eye) {
     piece = &p;
     eye_side = eye;
-    out.resize(0);
+    out.clear();
     outer.clear();
     ray.resize(p.count);
+    quick_ray.resize(p.count);
     middle = {0, 0, 0};
     for (std::uint32_t k = 0; k < p.count; ++k) {
       const glm::dvec3 at = p.corner[k].at - scale.eye;
-      ray.set(k, at);
+      ray[k] = at;
+      quick_ray.set(k, at, scale.point);
       middle += at;
     }
+    quick_ray.close(p.count - 1);
   }
-  void need_sides() {
-    if (out.size() != 0) return;
-    outer.resize(ray.size());
-    out.resize(ray.size());
+  void need_sides(const ViewScale& scale) {
+    if (!out.empty()) return;
+    const std::size_t n = ray.size();
+    outer.resize(n);
+    out.resize(n);
+    quick_out.resize(n);
     // (a - eye) x (b - eye) points outwards where a, b run counter-clockwise as the eye sees them.
-    for (std::size_t k = 0; k < ray.size(); ++k) {
-      const glm::dvec3 a = ray[k], b = ray[k + 1 == ray.size() ? 0 : k + 1];
-      out.set(k, eye_side > 0 ? glm::cross(a, b) : glm::cross(b, a));
+    for (std::size_t k = 0; k < n; ++k) {
+      const glm::dvec3 &a = ray[k], &b = ray[k + 1 == n ? 0 : k + 1];
+      out[k] = eye_side > 0 ? glm::cross(a, b) : glm::cross(b, a);
+      quick_out.set(k, out[k], scale.side);
     }
+    quick_out.close(n - 1);
   }
   /// A ray inside, ahead of the eye if there is one.
   glm::dvec3 inner(const glm::dvec3& ahead) const {

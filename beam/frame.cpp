@@ -36,21 +36,32 @@ FrameBox Frame::bounds(const glm::dvec3& corner) const {
            static_cast<float>(-y - off_y)}};
 }
 
+namespace {
+
+/// For products with the axes that are within `doubt`.
+void place_within(const glm::dvec3& p, double doubt, glm::dvec2& at, double& error) {
+  const double part = 1 / p.z;
+  at = {p.x * part, p.y * part};
+  error = 2 * doubt * part * (1 + std::max(std::abs(at.x), std::abs(at.y)));
+}
+
+}  // namespace
+
 /// As in `bounds`, without the rounding to floats.
 bool Frame::place_corner(const glm::dvec3& corner, glm::dvec2& at, double& error) const {
   constexpr double doubt = 0x1p-46;
   const double z = glm::dot(z_, corner);
   if (!(z > 4 * doubt)) return false;
-  at = {glm::dot(x_, corner) / z, glm::dot(y_, corner) / z};
-  error = 2 * doubt / z * (1 + std::max(std::abs(at.x), std::abs(at.y)));
+  place_within({glm::dot(x_, corner), glm::dot(y_, corner), z}, doubt, at, error);
   return true;
 }
 
-bool Frame::place(const glm::dvec3& from_eye, double& x, double& y) const {
-  const double z = glm::dot(z_, from_eye);
+/// The axes are what they are as doubles; products with a direction are within `doubt_`, those with a corner within
+/// less.
+bool Frame::place(const glm::dvec3& ray, glm::dvec2& at, double& error) const {
+  const double z = glm::dot(z_, ray);
   if (!(z > 0x1p20 * doubt_)) return false;
-  x = glm::dot(x_, from_eye) / z;
-  y = glm::dot(y_, from_eye) / z;
+  place_within({glm::dot(x_, ray), glm::dot(y_, ray), z}, doubt_, at, error);
   return true;
 }
 

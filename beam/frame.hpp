@@ -53,8 +53,9 @@ class Frame {
   void set(const glm::dvec3& eye, const glm::dvec3& ahead, double doubt);
   /// Bounds of a corner, the product of two lines' rounded normals; everything if it is not clearly ahead of the eye.
   FrameBox bounds(const glm::dvec3& corner) const;
-  /// Where a direction from the eye is seen; false unless it is clearly ahead.
-  bool place(const glm::dvec3& from_eye, double& x, double& y) const;
+  /// Where a direction from the eye is seen, or a corner, each coordinate within `error`; false unless it is clearly
+  /// ahead.
+  bool place(const glm::dvec3& ray, glm::dvec2& at, double& error) const;
   /// Where a corner, the product of two lines' rounded normals, is seen, each coordinate within `error`; false unless
   /// it is clearly ahead.
   bool place_corner(const glm::dvec3& corner, glm::dvec2& at, double& error) const;

@@ -102,26 +102,28 @@ Patch Patches::convex(std::span<const SightlineRef> lines) {
 }
 
 /// Is a ray in the patch? Known by what a line of the frame from it towards greater x crosses, unless it comes too near
-/// to a corner, or the ray to a side.
+/// to a corner, or the ray to a side. Rounding to floats: 2^-24 of a coordinate.
 bool Patches::odd(const Patch& patch, const glm::dvec3& ray, bool& known) const {
-  double x = 0, y = 0;
-  known = frame_->place(ray, x, y);
+  glm::dvec2 at;
+  double error = 0;
+  known = frame_->place(ray, at, error);
   if (!known) return false;
   constexpr float far = std::numeric_limits<float>::infinity();
-  const double off_x = 0x1p-22 * std::abs(x), off_y = 0x1p-22 * std::abs(y);
+  const double off_x = 2 * error + 0x1p-22 * std::abs(at.x), off_y = 2 * error + 0x1p-22 * std::abs(at.y);
   const FrameBox line{
-      {static_cast<float>(x - off_x), static_cast<float>(y - off_y), -far, static_cast<float>(-y - off_y)}};
+      {static_cast<float>(at.x - off_x), static_cast<float>(at.y - off_y), -far, static_cast<float>(-at.y - off_y)}};
+  const double least = at.y - off_y, most = at.y + off_y, beyond = at.x + off_x;
   bool odd = false;
   for (std::uint32_t k = patch.first; k < patch.first + patch.count; ++k) {
     const FrameBox& box = boxes_[k];
     if (!box.meets(line)) continue;
     const FrameBox &from = corners_[sides_[k].from].box, &to = corners_[sides_[k].to].box;
-    const bool up = -from.side[3] < y && y < to.side[1], down = -to.side[3] < y && y < from.side[1];
+    const bool up = -from.side[3] < least && most < to.side[1], down = -to.side[3] < least && most < from.side[1];
     if (up == down) {
       known = false;
       return false;
     }
-    if (box.side[0] > x) {
+    if (box.side[0] > beyond) {
       odd = !odd;
       continue;
     }
@@ -140,22 +142,23 @@ bool Patches::odd(const Patch& patch, const glm::dvec3& ray, bool& known) const 
 /// Is there a line, along the side of the patch or one of the figure, that clearly has them on its two sides?
 /// `within` is set where an end of the side is clearly in the figure.
 bool Patches::keeps_away(const FragmentSide& side, Cone& figure, bool& within) const {
-  const glm::dvec3& n = table_->approx(side.line.id);
+  constexpr int all = VectorFours::all;
+  const VectorFours::Factor n(table_->approx(side.line.id));
   bool front = true, behind = true;
-  for (std::size_t k = 0; k < figure.ray.size(); k += 32) {
-    const auto [above, below] = figure.ray.signs(n, scale_.point, k);
-    front = front && above == figure.ray.all(k);
-    behind = behind && below == figure.ray.all(k);
+  for (std::size_t k = 0; k < figure.quick_ray.size(); ++k) {
+    const auto [above, below] = figure.quick_ray.signs(n, k);
+    front = front && above == all;
+    behind = behind && below == all;
   }
   if (front || behind) return true;
-  figure.need_sides();
-  const glm::dvec3 &from = corners_[side.from].ray, &to = corners_[side.to].ray;
+  figure.need_sides(scale_);
+  const VectorFours::Factor from(corners_[side.from].ray), to(corners_[side.to].ray);
   bool from_within = true, to_within = true;
-  for (std::size_t k = 0; k < figure.out.size(); k += 32) {
-    const auto at_from = figure.out.signs(from, scale_.side, k), at_to = figure.out.signs(to, scale_.side, k);
+  for (std::size_t k = 0; k < figure.quick_out.size(); ++k) {
+    const auto at_from = figure.quick_out.signs(from, k), at_to = figure.quick_out.signs(to, k);
     if ((at_from.above & at_to.above) != 0) return true;
-    from_within = from_within && at_from.below == figure.out.all(k);
-    to_within = to_within && at_to.below == figure.out.all(k);
+    from_within = from_within && at_from.below == all;
+    to_within = to_within && at_to.below == all;
   }
   within = within || from_within || to_within;
   return false;
@@ -300,6 +303,7 @@ void Patches::see(const Patch& patch, std::span<const SurfaceId> on, Fragments& 
     if (c.out == none) {
       c.out = static_cast<std::uint32_t>(out.corners.size());
       out.corners.push_back(c.name);
+      out.rays.push_back(c.ray);
       given_.push_back(corner);
     }
     return c.out;

@@ -8,6 +8,7 @@
 #include "beam/cone.hpp"
 #include "beam/frame.hpp"
 #include "beam/places.hpp"
+#include "beam/vector_pairs.hpp"
 #include "visibility_map/fragment.hpp"
 
 namespace sightline {
@@ -143,6 +144,7 @@ class Patches {
   std::uint32_t outline_place(std::uint32_t on) const;
   void meet(std::uint32_t side);
   bool settle_rim(int& plus, int& minus);
+  bool outline_within(const Patch& patch, bool& known);
   std::uint32_t rim_corner(RimEvent& event, std::size_t k);
   void add_rim(int plus, int minus);
   bool carve_by_lines(const Patch& patch, std::span<const SightlineRef> lines, Patch& inside, Patch& outside);

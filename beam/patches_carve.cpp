@@ -180,9 +180,25 @@ std::uint32_t Patches::rim_corner(RimEvent& event, std::size_t k) {
   return event.corner = corner;
 }
 
+/// For an outline that no side crosses or runs along: is all of it in the patch? By a corner that no side comes near.
+bool Patches::outline_within(const Patch& patch, bool& known) {
+  for (std::size_t k = 0; k < outline_.size(); ++k) {
+    const std::uint32_t corner = outline_corner(k);
+    const bool within = odd(patch, corners_[corner].ray, known);
+    if (known) return within;
+  }
+  return false;
+}
+
 /// Closes along the outline what lies in the patch on both sides of it.
 void Patches::add_rim(int plus, int minus) {
   const std::size_t lines = outline_.size();
+  if (rim_.empty() && plus > 0 && minus > 0) {
+    for (std::size_t k = 0; k < lines; ++k) {
+      const std::uint32_t from = outline_corner(k);
+      caps_.push_back({outline_[k].line, from, outline_corner(k + 1 == lines ? 0 : k + 1)});
+    }
+  }
   for (std::size_t e = 0; e < rim_.size(); ++e) {
     RimEvent& here = rim_[e];
     RimEvent& next = rim_[e + 1 == rim_.size() ? 0 : e + 1];
@@ -224,7 +240,11 @@ bool Patches::carve(const Patch& patch, std::span<const SightlineRef> lines, Pat
   caps_.clear();
   for (const std::uint32_t side : near_) meet(side);
   int plus = 0, minus = 0;
-  if (!settle_rim(plus, minus)) return carve_by_lines(patch, lines, inside, outside);
+  if (!settle_rim(plus, minus)) {
+    bool known = plus == uncertain && minus == uncertain;
+    if (known) plus = minus = outline_within(patch, known) ? 1 : 0;
+    if (!known) return carve_by_lines(patch, lines, inside, outside);
+  }
   add_rim(plus, minus);
   auto first = static_cast<std::uint32_t>(sides_.size());
   for (const Contact& c : contacts_) {

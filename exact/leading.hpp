@@ -1,100 +1,120 @@
 // Long integers by their first bits: a filter between doubles and all of them. For this folder's own use.
 #pragma once
 
-#include "exact/wide.hpp"
+#include "exact/limbs.hpp"
+#include "exact/types.hpp"
 
 namespace sightline {
 
 /// Where doubles do not tell, but their exact numbers are long: first the leading 62 bits of the components, then the
-/// leading 125, rounded down. On a building turned by rounded numbers what is asked is mostly about hairs, 2^-48 to
-/// 2^-60 of the whole: the first tell three fifths of it, the second nearly all the rest.
+/// leading 125. On a building turned by rounded numbers what is asked is mostly about hairs, 2^-48 to 2^-60 of the
+/// whole: the first tell three fifths of it, the second nearly all the rest.
 inline constexpr std::uint32_t leading_bits = 125, word_bits = 62;
 
-/// The leading bits, 62 in one word or 125 in two, of three components of `bits` bits at most.
-template <int N>
-inline Wide3<N> leading(const std::uint64_t* words, std::uint32_t bits) {
-  constexpr std::uint32_t kept = N == 1 ? word_bits : leading_bits;
-  const std::uint32_t stride = words_for(bits);
-  if (bits <= kept) {
-    Wide3<N> r = load3<N>(words, stride);
-    for (Wide<N>& c : r) c = shift_left(c, static_cast<int>(kept - bits));
-    return r;
-  }
-  const std::uint32_t first = (bits - kept) / 64, shift = (bits - kept) % 64;
-  Wide3<N> r;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const std::uint64_t* const w = words + k * stride + first;
-    for (std::uint32_t i = 0; i < N; ++i) {
-      // Where there is no next word the sign fills up; it is there below the last one kept. Two shifts, since by 64
-      // there is none.
-      const std::uint64_t next = i + 1 < N || first + N < stride ? w[i + 1] : fixed_detail::sign_word(w[i]);
-      r[k].word[i] = (w[i] >> shift) | (next << 1 << (63 - shift));
+/// The leading 125 bits of three components of one length, rounded down: high * 2^63 + low. The high words by
+/// themselves are the leading 62.
+struct LeadingBits {
+  std::int64_t high[3];
+  std::int64_t low[3];  // not negative
+
+  LeadingBits() = default;
+  /// Of components of `bits` bits at most, words_for(bits) words each.
+  LeadingBits(const std::uint64_t* words, std::uint32_t bits) {
+    const std::uint32_t stride = words_for(bits);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint64_t* const w = words + k * stride;
+      if (bits > leading_bits) {
+        const std::uint32_t first = (bits - leading_bits) / 64, shift = (bits - leading_bits) % 64;
+        // Where there is no next word the sign fills up. Two shifts, since by 64 there is none.
+        const std::uint64_t above = first + 2 < stride ? w[first + 2] : sign_word(w[first + 1]);
+        set(k, (w[first] >> shift) | (w[first + 1] << 1 << (63 - shift)),
+            (w[first + 1] >> shift) | (above << 1 << (63 - shift)));
+      } else {
+        const auto above = static_cast<unsigned __int128>(stride > 1 ? w[1] : sign_word(w[0]));
+        const unsigned __int128 shifted = (above << 64 | w[0]) << (leading_bits - bits);
+        set(k, static_cast<std::uint64_t>(shifted), static_cast<std::uint64_t>(shifted >> 64));
+      }
     }
   }
-  return r;
-}
 
-/// The leading 62 bits, as numbers.
-inline std::array<std::int64_t, 3> leading_word(const std::uint64_t* words, std::uint32_t bits) {
-  const Wide3<1> r = leading<1>(words, bits);
-  return {static_cast<std::int64_t>(r[0].word[0]), static_cast<std::int64_t>(r[1].word[0]),
-          static_cast<std::int64_t>(r[2].word[0])};
+ private:
+  static std::uint64_t sign_word(std::uint64_t top) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(top) >> 63);
+  }
+  void set(std::uint32_t k, std::uint64_t lower, std::uint64_t upper) {
+    high[k] = static_cast<std::int64_t>((upper << 1) | (lower >> 63));
+    low[k] = static_cast<std::int64_t>(lower << 1 >> 1);
+  }
+};
+
+namespace leading_detail {
+inline __int128 product(std::int64_t a, std::int64_t b) { return static_cast<__int128>(a) * b; }
+inline Sign beyond(__int128 value, int bit) {
+  const __int128 bound = static_cast<__int128>(1) << bit;
+  return value > bound ? 1 : value < -bound ? -1 : uncertain;
 }
+}  // namespace leading_detail
 
 /// The sign of det(a, b, c) by leading words, if they tell.
-inline Sign leading_order(const std::array<std::int64_t, 3>& a, const std::array<std::int64_t, 3>& b,
-                          const std::array<std::int64_t, 3>& c) {
+inline Sign leading_order_short(const LeadingBits& a, const LeadingBits& b, const LeadingBits& c) {
+  using leading_detail::product;
   // With w = 2^62 above all components, each less than 1 too small: a minor has two products below w^2, each within
   // 2w + 1, so it is below 2w^2 and within 4w + 2; over w, rounded down, below 2w and within 6. Times c: below 2w^2,
   // and within 6w + 2w + 6; the three together below 6w^2 < 2^127 and within 24w + 18 < 32w.
-  const auto minor = [&](std::size_t i, std::size_t j) {
-    return static_cast<std::int64_t>((static_cast<__int128>(a[i]) * b[j] - static_cast<__int128>(a[j]) * b[i]) >>
-                                     word_bits);
+  const auto minor = [&](int i, int j) {
+    return static_cast<std::int64_t>((product(a.high[i], b.high[j]) - product(a.high[j], b.high[i])) >> word_bits);
   };
-  const __int128 det = static_cast<__int128>(minor(1, 2)) * c[0] + static_cast<__int128>(minor(2, 0)) * c[1] +
-                       static_cast<__int128>(minor(0, 1)) * c[2];
-  constexpr __int128 bound = static_cast<__int128>(1) << (word_bits + 5);
-  return det > bound ? 1 : det < -bound ? -1 : uncertain;
+  return leading_detail::beyond(
+      product(minor(1, 2), c.high[0]) + product(minor(2, 0), c.high[1]) + product(minor(0, 1), c.high[2]),
+      word_bits + 5);
 }
 
-/// The sign of a.b by leading words, if they tell.
-inline Sign leading_dot(const std::array<std::int64_t, 3>& a, const std::array<std::int64_t, 3>& b) {
+/// The sign of det(a, b, c) by all leading bits, if they tell.
+inline Sign leading_order(const LeadingBits& a, const LeadingBits& b, const LeadingBits& c) {
+  using leading_detail::product;
+  // Components are below 2^125 and less than 1 too small: two products, each within 2^126 + 1. In units of 2^126: high
+  // by high, below 2^125 together, and 2^-63 of high by low, four of them below 2^127 together. Left out is low by low,
+  // within 1, and what the shift drops, below 1: a minor is below 2^126 and within 2 + 1 + 1 and a little, less than 5.
+  const auto minor = [&](int i, int j) {
+    const __int128 across = product(a.high[i], b.low[j]) + product(a.low[i], b.high[j]) - product(a.high[j], b.low[i]) -
+                            product(a.low[j], b.high[i]);
+    return product(a.high[i], b.high[j]) - product(a.high[j], b.high[i]) + (across >> 63);
+  };
+  // The same once more, the minor in two: high below 2^62 + 2, and low. In units of 2^252 the three products are off by
+  // 3 (5 * 2^125 + 2^126 + 5) / 2^126 < 12; left out is low by low, up to 1 each, and below 1 by each shift: 17 in all.
+  __int128 sum = 0, first = 0, second = 0;
+  const auto add = [&](__int128 m, int k) {
+    const auto high = static_cast<std::int64_t>(m >> 63);
+    const auto low = static_cast<std::int64_t>(static_cast<std::uint64_t>(m) << 1 >> 1);
+    sum += product(high, c.high[k]);
+    first += product(high, c.low[k]);
+    second += product(low, c.high[k]);
+  };
+  add(minor(1, 2), 0);
+  add(minor(2, 0), 1);
+  add(minor(0, 1), 2);
+  return leading_detail::beyond(sum + (first >> 63) + (second >> 63), 5);
+}
+
+/// The sign of the product of two vectors by leading words, if they tell.
+inline Sign leading_dot(const std::int64_t* a, const std::int64_t* b) {
+  using leading_detail::product;
   // As above: three products below w^2, each within 2w + 1; together within 6w + 3 < 8w.
-  const __int128 dot =
-      static_cast<__int128>(a[0]) * b[0] + static_cast<__int128>(a[1]) * b[1] + static_cast<__int128>(a[2]) * b[2];
-  constexpr __int128 bound = static_cast<__int128>(1) << (word_bits + 3);
-  return dot > bound ? 1 : dot < -bound ? -1 : uncertain;
+  return leading_detail::beyond(product(a[0], b[0]) + product(a[1], b[1]) + product(a[2], b[2]), word_bits + 3);
 }
 
-/// Do leading words tell that a and b are not parallel?
-inline bool leading_apart(const std::array<std::int64_t, 3>& a, const std::array<std::int64_t, 3>& b) {
-  // As above: minors within 4w + 2 < 8w.
-  constexpr __int128 bound = static_cast<__int128>(1) << (word_bits + 3);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = i == 2 ? 0 : i + 1;
-    const __int128 minor = static_cast<__int128>(a[i]) * b[j] - static_cast<__int128>(a[j]) * b[i];
-    if (minor > bound || minor < -bound) return true;
-  }
-  return false;
-}
-
-/// The sign of a number of W words that is at least 2^bit away from zero; else uncertain.
-template <int W>
-inline Sign clear_sign(const Fixed<W>& a, int bit) {
-  const std::uint64_t fill = fixed_detail::sign_word(a.word[W - 1]);
-  std::uint64_t above = (a.word[bit / 64] ^ fill) >> (bit % 64);
-  for (int i = bit / 64 + 1; i < W; ++i) above |= a.word[i] ^ fill;
-  return above == 0 ? uncertain : fill != 0 ? -1 : 1;
-}
-
-/// The sign of det(a, b, c) by the leading 125 bits, if they tell.
-inline Sign leading_order(const Wide3<2>& a, const Wide3<2>& b, const Wide3<2>& c) {
-  // Components below 2^125 and less than 1 too small: minors below 2^251, within 2^127 + 2; over 2^128, rounded down,
-  // below 2^123 and within 2. Times c: below 2^248, and within 2^126 + 2^123 + 2; the three together within 2^128.
-  const Wide3<4> minors = cross<4, 2>(a, b);
-  Wide3<2> upper;
-  for (std::size_t k = 0; k < 3; ++k) upper[k] = {{minors[k].word[2], minors[k].word[3]}};
-  return clear_sign(dot<4, 2, 2>(upper, c), 128);
+/// Do leading bits tell that a and b are not parallel?
+inline bool leading_apart(const LeadingBits& a, const LeadingBits& b) {
+  using leading_detail::product;
+  const auto apart = [&](int i, int j) {
+    // Minors as above: of words within 4w + 2 < 8w, of all bits within 5.
+    const __int128 words = product(a.high[i], b.high[j]) - product(a.high[j], b.high[i]);
+    if (leading_detail::beyond(words, word_bits + 3) != uncertain) return true;
+    const __int128 across = product(a.high[i], b.low[j]) + product(a.low[i], b.high[j]) - product(a.high[j], b.low[i]) -
+                            product(a.low[j], b.high[i]);
+    return leading_detail::beyond(words + (across >> 63), 3) != uncertain;
+  };
+  return apart(1, 2) || apart(2, 0) || apart(0, 1);
 }
 
 }  // namespace sightline

@@ -1,6 +1,5 @@
 // The exact stages of SightlineTable: normals of new lines, and signs where the filters do not tell.
 #include "exact/gcd.hpp"
-#include "exact/leading.hpp"
 #include "exact/plane_row.hpp"
 #include "exact/sightline_table.hpp"
 
@@ -12,8 +11,8 @@ namespace sightline {
 namespace {
 
 // point - eye on the eye's grid; N words hold it.
-template <int N, class Eye>
-Wide3<N> from_eye(const PointTable& points, PointId p, const Eye& eye) {
+template <int N>
+Wide3<N> from_eye(const PointTable& points, PointId p, const ExactEye& eye) {
   if constexpr (N == 1) {
     // The lowest words tell it all, since the result fits.
     const std::uint64_t *w = points.words(p), *e = eye.words.data();
@@ -59,13 +58,12 @@ SightlineRef with_words(const Wide3<W>& n, std::vector<std::uint64_t>& scratch, 
 }
 
 // P(eye) = n.eye - d 2^shift has at most this many bits: three products, and the offset.
-template <class Eye>
-int value_bits(const PlaneRow& row, const Eye& eye) {
+int value_bits(const PlaneRow& row, const ExactEye& eye) {
   return std::max(row.normal_bits + eye.bits + 2, row.offset_bits + eye.shift) + 1;
 }
 
-template <int R, int N, class Eye>
-Wide<R> value_at(const PlaneRow& row, const Eye& eye) {
+template <int R, int N>
+Wide<R> value_at(const PlaneRow& row, const ExactEye& eye) {
   const auto product = narrowed<R>(row.normal_bits, eye.bits, [&]<int A, int B>(Words<A>, Words<B>) {
     return dot<R, A, B>(row.normal<A>(), load3<B>(eye.words.data(), eye.stride));
   });
@@ -92,7 +90,7 @@ SightlineRef SightlineTable::intern_short(const std::array<Int, 3>& n) {
   }
   const bool one_word = sizeof(Int) == 8 || bits < 64;
   std::uint64_t words[6];
-  Normal made{words, static_cast<std::uint32_t>(bits), {}, {}};
+  Normal made{words, static_cast<std::uint32_t>(bits), {}, {}, {}};
   // One word: the conversion rounds once, by 2^-54 at most. Two: what the upper 63 bits leave out, less than 2^-63, is
   // below what the promise of approx() has left.
   const double power = one_word ? std::bit_cast<double>(static_cast<std::uint64_t>(1023 - bits) << 52) : 0x1p-63;
@@ -111,6 +109,7 @@ SightlineRef SightlineTable::intern_short(const std::array<Int, 3>& n) {
     made.approx[k] = static_cast<double>(static_cast<std::int64_t>(top)) * power;
     made.sign[k] = (c > 0) - (c < 0);
   }
+  if (made.bits > word_bits) made.leading = LeadingBits(words, made.bits);
   return find_or_add(made);
 }
 
@@ -232,13 +231,12 @@ SightlineRef SightlineTable::intern(std::uint64_t* words, std::uint32_t stride) 
   const std::uint32_t tight = words_for(bits);
   for (std::uint32_t k = 1; tight != stride && k < 3; ++k)
     std::copy(words + k * stride, words + k * stride + tight, words + k * tight);
-  Normal n{words, bits, {}, {}};
+  Normal n{words, bits, {}, {}, LeadingBits(words, bits)};
   // What the leading word leaves out, less than 2^-62, is below what the promise of approx() has left: rounding a
   // number below 1 takes 2^-54 of its 2^-53.
-  const std::array<std::int64_t, 3> word = leading_word(words, bits);
   for (std::uint32_t k = 0; k < 3; ++k) {
     n.sign[k] = sign_of_words(words + k * tight, tight);
-    n.approx[static_cast<int>(k)] = static_cast<double>(word[k]) * 0x1p-62;
+    n.approx[static_cast<int>(k)] = static_cast<double>(n.leading.high[k]) * 0x1p-62;
   }
   return find_or_add(n);
 }
@@ -253,8 +251,7 @@ Sign SightlineTable::exact_eye_side(PlaneId p) const {
 
 Sign SightlineTable::exact_order(SightlineId a, SightlineId b, SightlineId c) {
   // Short numbers are multiplied sooner than looked up.
-  if (line_[a].bits + line_[b].bits + line_[c].bits <= 3 * word_bits)
-    return compute_order(line_[a], line_[b], line_[c]);
+  if (line_[a].bits + line_[b].bits + line_[c].bits <= 3 * word_bits) return compute_order(a, b, c);
   Sign turn = 1;
   const auto sort = [&](SightlineId& i, SightlineId& j) {
     if (i < j) return;
@@ -270,24 +267,17 @@ Sign SightlineTable::exact_order(SightlineId a, SightlineId b, SightlineId c) {
   if (told.a == a && told.b == b && told.c == c && told.stamp == stamp_) {
     ++tally().identity;
   } else {
-    told = {a, b, c, stamp_, compute_order(line_[a], line_[b], line_[c])};
+    told = {a, b, c, stamp_, compute_order(a, b, c)};
   }
   return turn * told.sign;
 }
 
-Sign SightlineTable::compute_order(const Line& a, const Line& b, const Line& c) const {
-  const Line *x = &a, *y = &b, *z = &c;
+Sign SightlineTable::compute_order(SightlineId a, SightlineId b, SightlineId c) const {
+  const Line *x = &line_[a], *y = &line_[b], *z = &line_[c];
   if (x->bits + y->bits + z->bits > 3 * word_bits) {
-    const auto word = [&](const Line* l) { return leading_word(words_.data() + l->first, l->bits); };
-    const Sign sign = leading_order(word(x), word(y), word(z));
-    if (sign != uncertain) {
-      ++tally().filter;
-      return sign;
-    }
-  }
-  if (x->bits + y->bits + z->bits > 3 * leading_bits) {
-    const auto at = [&](const Line* l) { return leading<2>(words_.data() + l->first, l->bits); };
-    const Sign sign = leading_order(at(x), at(y), at(z));
+    const LeadingBits first = leading(a), second = leading(b), third = leading(c);
+    Sign sign = leading_order_short(first, second, third);
+    if (sign == uncertain) sign = leading_order(first, second, third);
     if (sign != uncertain) {
       ++tally().filter;
       return sign;
@@ -323,17 +313,17 @@ Sign SightlineTable::compute_order(const Line& a, const Line& b, const Line& c) 
 }
 
 Sign SightlineTable::exact_side(SightlineRef a, PointId p) const {
-  const Eye& e = exact_eye_;
+  const ExactEye& e = exact_eye_;
   const Line& line = line_[a.id];
   const auto bits = static_cast<int>(line.bits);
   if (e.difference_bits > static_cast<int>(word_bits) && e.difference_bits <= static_cast<int>(leading_bits)) {
     const Wide3<2> difference = from_eye<2>(planes_->points(), p, e);
-    std::array<std::int64_t, 3> word;
+    std::int64_t word[3];
     for (std::size_t k = 0; k < 3; ++k) {
       const __int128 c = fixed_detail::to_int128(difference[k]);
       word[k] = static_cast<std::int64_t>(c >> (e.difference_bits - static_cast<int>(word_bits)));
     }
-    const Sign sign = leading_dot(leading_word(words_.data() + line.first, line.bits), word);
+    const Sign sign = leading_dot(leading(a.id).high, word);
     if (sign != uncertain) {
       ++tally().filter;
       return a.sign * sign;

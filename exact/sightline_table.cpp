@@ -1,6 +1,5 @@
 #include "exact/sightline_table.hpp"
 
-#include "exact/leading.hpp"
 #include "exact/plane_row.hpp"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ SightlineRef unpacked(std::uint32_t w) {
 void SightlineTable::reset(const PlaneTable& planes, const GridPoint& eye) {
   planes_ = &planes;
   eye_ = eye;
-  Eye& e = exact_eye_;
+  ExactEye& e = exact_eye_;
   std::uint32_t bits = 0;
   for (const Integer& c : eye.c) bits = std::max(bits, magnitude_bits(c));
   e.bits = static_cast<int>(bits);
@@ -45,6 +44,7 @@ void SightlineTable::reset(const PlaneTable& planes, const GridPoint& eye) {
   e.is_short = e.difference_bits < 64 && e.stride == 1 && points.stride() == 1;
   used_ = 0;
   line_.clear();
+  leading_.clear();
   by_direction_.clear();
   by_points_.clear();
   by_planes_.clear();
@@ -132,6 +132,10 @@ SightlineRef SightlineTable::find_or_add(const Normal& n) {
   std::copy(n.words, n.words + 3, to);
   if (count > 3) std::copy(n.words + 3, n.words + count, to + 3);
   line_.push_back({n.approx, used_, n.bits, leading, none, none});
+  if (n.bits > word_bits) {
+    leading_.resize(line_.size());
+    leading_.back() = n.leading;
+  }
   used_ += count;
   return {id, 1};
 }
@@ -146,16 +150,7 @@ bool SightlineTable::same_line(SightlineId id, const Normal& n) const {
   if (std::abs(o.y * approx.z - o.z * approx.y) > bound || std::abs(o.z * approx.x - o.x * approx.z) > bound ||
       std::abs(o.x * approx.y - o.y * approx.x) > bound)
     return false;
-  if (bits + line.bits > 2 * word_bits && leading_apart(leading_word(words, bits), leading_word(other, line.bits))) {
-    return false;
-  }
-  if (bits > leading_bits && line.bits > leading_bits) {
-    // Components below 2^125, within 1: two products, each within 2^126 + 1.
-    const Wide3<4> c = cross<4, 2>(leading<2>(words, bits), leading<2>(other, line.bits));
-    for (const Wide<4>& k : c) {
-      if (clear_sign(k, 128) != uncertain) return false;
-    }
-  }
+  if (bits > word_bits && line.bits > word_bits && leading_apart(n.leading, leading_[id])) return false;
   return at_width(static_cast<int>(bits + line.bits) + 1, [&](auto width) {
     constexpr int W = width();
     return narrowed<W>(static_cast<int>(bits), static_cast<int>(line.bits), [&]<int N, int M>(Words<N>, Words<M>) {
@@ -174,7 +169,7 @@ Sign SightlineTable::eye_side(PlaneId p) {
   // With E the largest |coordinate| of the eye, each within uE, and the plane's numbers within u (|d|: relative):
   // data 6 uE + u max(1, |d|), products 3 uE, sums (2 + 3 + 3) uE + u |d|.
   const ApproxPlane& q = planes_->approx(p);
-  const Eye& e = exact_eye_;
+  const ExactEye& e = exact_eye_;
   const double value = q.n[0] * e.approx.x + q.n[1] * e.approx.y + q.n[2] * e.approx.z - q.d;
   const double bound = u * (24 * e.reach + 4 * std::abs(q.d) + 2);
   Sign s = value > bound ? 1 : value < -bound ? -1 : uncertain;

@@ -1,6 +1,8 @@
 // The planes through one camera's eye, interned: lines of the window that coincide have one id.
 #pragma once
 
+#include "exact/exact_eye.hpp"
+#include "exact/leading.hpp"
 #include "exact/order_filter.hpp"
 #include "exact/predicates.hpp"
 #include "exact/stamped_map.hpp"
@@ -106,15 +108,7 @@ class SightlineTable {
     std::uint32_t bits;
     Sign sign[3];
     glm::dvec3 approx;
-  };
-  /// The eye's coordinates, at hand for exact arithmetic.
-  struct Eye {
-    std::vector<std::uint64_t> words;  // `stride` a coordinate
-    std::uint32_t stride = 1;
-    int shift = 0, bits = 0, difference_bits = 0;  // of point - eye, on the eye's grid
-    bool is_short = false;                         // coordinates and differences of one word
-    glm::dvec3 approx{0};                          // unit coordinates, the nearest doubles
-    double reach = 0;                              // the largest of their magnitudes
+    LeadingBits leading;  // where there are more than word_bits
   };
   SightlineRef intern(std::uint64_t* words, std::uint32_t stride);
   template <class Int>  // int64 or int128
@@ -126,14 +120,18 @@ class SightlineTable {
   Sign exact_eye_side(PlaneId p) const, exact_side(SightlineRef a, PointId p) const;
   /// As order() of three different lines, each as it is, where doubles do not tell.
   Sign exact_order(SightlineId a, SightlineId b, SightlineId c);
-  Sign compute_order(const Line& a, const Line& b, const Line& c) const;
+  Sign compute_order(SightlineId a, SightlineId b, SightlineId c) const;
+  LeadingBits leading(SightlineId id) const {
+    return line_[id].bits > word_bits ? leading_[id] : LeadingBits(words(id), line_[id].bits);
+  }
 
   const PlaneTable* planes_ = nullptr;
   GridPoint eye_;
-  Eye exact_eye_;
+  ExactEye exact_eye_;
   std::vector<std::uint64_t> scratch_, words_;  // words_: filled up to used_
   std::size_t used_ = 0;
   std::vector<Line> line_;
+  std::vector<LeadingBits> leading_;  // by line, where there are more than word_bits
   StampedMap by_direction_, by_points_, by_planes_;
   std::vector<std::uint32_t> side_stamp_;
   std::vector<std::int8_t> side_;

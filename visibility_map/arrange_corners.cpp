@@ -34,7 +34,11 @@ CornerId add_corner(State& s, SightlineId line, SightlineRef u) {
 void take_corners(State& s) {
   const Fragments& f = *s.fragments;
   s.corners.clear();
-  for (const FragmentCorner& corner : f.corners) create(s, corner);
+  if (f.rays.size() == f.corners.size()) {
+    for (std::size_t k = 0; k < f.corners.size(); ++k) s.corners.push_back({f.corners[k], f.rays[k]});
+  } else {
+    for (const FragmentCorner& corner : f.corners) create(s, corner);
+  }
   s.rays.reset(s.corners.size());
   for (const auto& [a, b] : f.same) s.rays.unite(a, b);
 }

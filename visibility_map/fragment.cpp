@@ -6,6 +6,7 @@ void Fragments::clear() {
   fragments.clear();
   sides.clear();
   corners.clear();
+  rays.clear();
   same.clear();
   seen.clear();
   origins.clear();
@@ -71,6 +72,7 @@ void Fragments::append(const Fragments& part, const SightlineTable& from, Sightl
     high.sign *= c.sign;
     corners.push_back(FragmentCorner::of(high, line(c.low)));
   }
+  rays.insert(rays.end(), part.rays.begin(), part.rays.end());
   for (const auto& [a, b] : part.same) same.emplace_back(moved(a, first_corner), moved(b, first_corner));
   seen.insert(seen.end(), part.seen.begin(), part.seen.end());
   for (Origin origin : part.origins) {

@@ -31,15 +31,6 @@ Sign filter_nearer(double at_p, double at_q, double along_p, double along_q, dou
   return (d > 0) == (at_p * at_q > 0) ? 1 : -1;
 }
 
-/// Side of a point against the plane shown: corners of a polygon that is planar lie in it.
-Sign side_of(const State& s, PointId p, const Shown& shown) {
-  if (s.scene->planar(shown.polygon) && has_corner(*s.scene, shown.polygon, p)) {
-    ++tally().identity;
-    return 0;
-  }
-  return point_side(s.scene->planes(), p, shown.plane);
-}
-
 /// Parallel planes seen along one ray lie on the same side of the eye: q is nearer if it lies on the eye's side of p.
 Sign nearer_of_parallel(State& s, PlaneId p, const Shown& q) {
   for (const Surface& piece : s.scene->surfaces(q.polygon)) {
@@ -50,7 +41,31 @@ Sign nearer_of_parallel(State& s, PlaneId p, const Shown& q) {
   throw std::logic_error("stitch: a fragment's surface is not its polygon's");
 }
 
+bool has_corner(const Scene& scene, const Shown& shown, PointId p) {
+  if (scene.planar(shown.polygon)) {
+    for (const PointId corner : scene.corners(shown.polygon)) {
+      if (corner == p) return true;
+    }
+    return false;
+  }
+  for (const Surface& piece : scene.surfaces(shown.polygon)) {
+    if (piece.plane != shown.plane) continue;
+    for (const SurfaceEdge& edge : scene.edges(piece)) {
+      if (edge.a == p || edge.b == p) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
+
+Sign side_of(const State& s, PointId p, const Shown& shown) {
+  if (has_corner(*s.scene, shown, p)) {
+    ++tally().identity;
+    return 0;
+  }
+  return point_side(s.scene->planes(), p, shown.plane);
+}
 
 Depths filter_depths(const State& s, const Stretch& stretch, PlaneId p, PlaneId q) {
   const double at_p = at_eye(s, p), at_q = at_eye(s, q);

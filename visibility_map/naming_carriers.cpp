@@ -92,9 +92,7 @@ static void place_carriers(State& s, const Stretch& stretch, const Shown& shown,
     return;
   }
   const std::span<const std::uint32_t> corners = scene.corners(shown.polygon);
-  const auto in_plane = [&](PointId p) {
-    return scene.planar(shown.polygon) || point_side(scene.planes(), p, shown.plane) == 0;
-  };
+  const auto in_plane = [&](PointId p) { return scene.planar(shown.polygon) || side_of(s, p, shown) == 0; };
   PointId last = corners.back();
   bool last_near = near(last);
   for (const PointId corner : corners) {

@@ -14,11 +14,10 @@ bool collinear(const PointTable& points, PointId a, PointId b, PointId c) {
 }
 
 /// The first three corners (in the polygon's own order) that lie in the plane and span it.
-void name_plane(const Scene& scene, const Shown& shown, std::uint32_t* out) {
+void name_plane(const State& s, const Shown& shown, std::uint32_t* out) {
+  const Scene& scene = *s.scene;
   const std::span<const std::uint32_t> corners = scene.corners(shown.polygon);
-  const auto in_plane = [&](PointId p) {
-    return scene.planar(shown.polygon) || point_side(scene.planes(), p, shown.plane) == 0;
-  };
+  const auto in_plane = [&](PointId p) { return scene.planar(shown.polygon) || side_of(s, p, shown) == 0; };
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (!in_plane(corners[i])) continue;
     for (std::size_t j = i + 1; j < corners.size(); ++j) {
@@ -52,8 +51,8 @@ bool plane_name_less(const State& s, NameKey a, NameKey b) {
 
 NameKey planes_name(State& s, Shown a, Shown b) {
   MapLine line{MapLine::planes, {}};
-  name_plane(*s.scene, a, line.v);
-  name_plane(*s.scene, b, line.v + 3);
+  name_plane(s, a, line.v);
+  name_plane(s, b, line.v + 3);
   const bool swap = b.polygon != a.polygon ? b.polygon < a.polygon
                                            : std::lexicographical_compare(line.v + 3, line.v + 6, line.v, line.v + 3);
   if (swap) std::swap_ranges(line.v, line.v + 3, line.v + 3);

@@ -259,13 +259,8 @@ struct NearEdges {
   PointId a, b;
 };
 NearEdges near_edges(const State& s, SightlineId line, PolygonId polygon);
-/// Is the point one of the polygon's corners?
-inline bool has_corner(const Scene& scene, PolygonId polygon, PointId p) {
-  for (const PointId corner : scene.corners(polygon)) {
-    if (corner == p) return true;
-  }
-  return false;
-}
+/// The side of a point of the scene against the plane of what is shown: corners of the pieces in it lie in it.
+Sign side_of(const State& s, PointId p, const Shown& shown);
 /// The name that FORMATS wants among carriers: the lowest that covers the stretch, else the lowest; no_name if none.
 NameKey best_name(const std::vector<Carrier>& carriers);
 /// The name of the line of two planes, each given by a polygon that lies in it.

@@ -33,7 +33,7 @@ SightlineRef SightlineTable::intern_short<double>(const std::array<double, 3>& g
   const glm::dvec3 n = scaled({given[0], given[1], given[2]});
   if (n == glm::dvec3(0)) return {};
   std::uint64_t words[3];
-  Normal made{words, 62, {}, n};
+  Normal made{words, 62, {}, n, {}};
   for (int k = 0; k < 3; ++k) {
     words[k] = static_cast<std::uint64_t>(static_cast<std::int64_t>(n[k] * 0x1p62));
     made.sign[k] = sign_of_double(n[k]);

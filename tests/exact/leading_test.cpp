@@ -22,18 +22,12 @@ std::uint32_t bits_of(const Normal& n) {
   return std::max({magnitude_bits(n[0]), magnitude_bits(n[1]), magnitude_bits(n[2])});
 }
 
-struct Leading {
-  std::array<std::int64_t, 3> word;
-  Wide3<2> words;
-
-  explicit Leading(const Normal& n) {
-    const std::uint32_t bits = bits_of(n), stride = words_for(bits);
-    std::vector<std::uint64_t> all(std::size_t{3} * stride);
-    for (std::uint32_t k = 0; k < 3; ++k) store_words(n[k], all.data() + k * stride, stride);
-    word = leading_word(all.data(), bits);
-    words = leading<2>(all.data(), bits);
-  }
-};
+LeadingBits leading(const Normal& n) {
+  const std::uint32_t bits = bits_of(n), stride = words_for(bits);
+  std::vector<std::uint64_t> all(std::size_t{3} * stride);
+  for (std::uint32_t k = 0; k < 3; ++k) store_words(n[k], all.data() + k * stride, stride);
+  return LeadingBits(all.data(), bits);
+}
 
 Integer random_bits(Random& random, int bits) {
   Integer r = 0;
@@ -63,28 +57,28 @@ Normal beside(Random& random, const Normal& a, const Normal& b, int length) {
   return c;
 }
 
-TEST(LeadingBits, AreRightWhereTheyTell) {
+TEST(LeadingBitsTest, AreRightWhereTheyTell) {
   Random random(1);
   int told = 0, told_by_more = 0, zeros = 0, apart = 0;
   for (int k = 0; k < 60'000; ++k) {
     const Normal a = random_normal(random, 1 + below(random, 300)), b = random_normal(random, 1 + below(random, 300));
     const Normal c = below(random, 4) == 0 ? random_normal(random, 1 + below(random, 300)) : beside(random, a, b, 100);
     if (bits_of(a) == 0 || bits_of(b) == 0 || bits_of(c) == 0) continue;
-    const Leading x(a), y(b), z(c);
+    const LeadingBits x = leading(a), y = leading(b), z = leading(c);
     const Sign expected = sgn(determinant(a, b, c));
     zeros += expected == 0;
-    const Sign word = leading_order(x.word, y.word, z.word);
+    const Sign word = leading_order_short(x, y, z);
     if (word != uncertain) {
       ASSERT_EQ(word, expected) << a[0] << ' ' << b[0] << ' ' << c[0];
       ++told;
     }
-    const Sign words = leading_order(x.words, y.words, z.words);
+    const Sign words = leading_order(x, y, z);
     if (words != uncertain) {
       ASSERT_EQ(words, expected) << a[0] << ' ' << b[0] << ' ' << c[0];
       told_by_more += word == uncertain;
     }
     const Normal d = beside(random, a, Normal{}, 100);
-    if (bits_of(d) != 0 && leading_apart(x.word, Leading(d).word)) {
+    if (bits_of(d) != 0 && leading_apart(x, leading(d))) {
       ASSERT_FALSE(parallel(a, d));
       ++apart;
     }
@@ -96,7 +90,7 @@ TEST(LeadingBits, AreRightWhereTheyTell) {
 }
 
 // A vector that a second one is at right angles to, or a hair off.
-TEST(LeadingBits, ProductsAreRightWhereTheyTell) {
+TEST(LeadingBitsTest, ProductsAreRightWhereTheyTell) {
   Random random(3);
   int told = 0, zeros = 0;
   for (int k = 0; k < 60'000; ++k) {
@@ -109,7 +103,7 @@ TEST(LeadingBits, ProductsAreRightWhereTheyTell) {
     if (bits_of(a) == 0 || bits_of(b) == 0) continue;
     const Sign expected = sgn(Integer(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]));
     zeros += expected == 0;
-    const Sign sign = leading_dot(Leading(a).word, Leading(b).word);
+    const Sign sign = leading_dot(leading(a).high, leading(b).high);
     if (sign == uncertain) continue;
     ASSERT_EQ(sign, expected) << a[0] << ' ' << b[0];
     ++told;
@@ -119,7 +113,7 @@ TEST(LeadingBits, ProductsAreRightWhereTheyTell) {
 }
 
 // The same through the table, all stages: lines of points, whose normals are short, and of any normals.
-TEST(LeadingBits, OrderOfHairs) {
+TEST(LeadingBitsTest, OrderOfHairs) {
   Random random(2);
   const std::vector<glm::dvec3> world{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const Grid grid = Grid::covering(world);
