@@ -1,5 +1,5 @@
-// Where a vertex is seen, in doubles: takes the place of visibility_map/stitch_place.cpp in the program that measures
-// what exact stages cost.
+// Where a vertex is seen, in doubles: takes the place of visibility_map/stitch_place.cpp and stitch_compare.cpp in the
+// program that measures what exact stages cost.
 #include "visibility_map/stitch_state.hpp"
 
 #include <algorithm>
