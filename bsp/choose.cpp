@@ -33,6 +33,25 @@ std::pair<double, double> surface_parts(const Bounds& box, const double n[3], do
   return n[k] > 0 ? std::pair{parts[0], parts[1]} : std::pair{parts[1], parts[0]};
 }
 
+/// Calls visit(piece) for those that are counted.
+template <class Visit>
+void for_counted(std::span<const Piece> pieces, Visit&& visit) {
+  const std::size_t stride = pieces.size() / most_counted + 1;
+  for (std::size_t k = 0; k < pieces.size(); k += stride) visit(pieces[k]);
+}
+
+/// How many of the values, which are not none, come before the first without the property, which none after it has.
+template <class Property>
+std::size_t first_without(const std::vector<double>& values, Property&& has) {
+  const double* from = values.data();
+  for (std::size_t n = values.size(); n > 1;) {
+    const std::size_t half = n / 2;
+    from += has(from[half - 1]) ? half : 0;
+    n -= half;
+  }
+  return static_cast<std::size_t>(from - values.data()) + (has(*from) ? 1 : 0);
+}
+
 }  // namespace
 
 // A piece that lies within rounding of a plane without being in it is cut or not as the exact signs say; but it leaves
@@ -44,48 +63,71 @@ void Chooser::add_hair(Count& n, const Piece& piece, PlaneId plane) const {
   (found == 1 ? n.behind : n.front) += 1 - cut;
 }
 
-Chooser::Count Chooser::count_axis(std::span<const Piece> pieces, PlaneId plane, int axis, double value) const {
-  Count n;
-  const std::size_t stride = pieces.size() / most_counted + 1;
-  for (std::size_t k = 0; k < pieces.size(); k += stride) {
-    const double low = pieces[k].low[axis] - value, high = pieces[k].high[axis] - value;
-    if (high <= flat && low >= -flat) {
-      if (pieces[k].plane == plane) {
-        n.covered += pieces_.area(pieces[k]);
-        n.on += 1;
-      } else {
-        add_hair(n, pieces[k], plane);
+// A piece lies in front of the cuts below it, and behind those above it: two places among the sorted cuts tell its side
+// of all of them. Those between, if any, are within rounding of it.
+void Chooser::count_axes(std::span<const Piece> pieces) {
+  for (int axis = 0; axis < 3; ++axis) {
+    auto& cuts = cuts_[axis];
+    std::sort(cuts.begin(), cuts.end(), [](auto& a, auto& b) { return a.value < b.value; });
+    values_[axis].clear();
+    for (const AxisCut& cut : cuts) values_[axis].push_back(cut.value);
+    in_front_[axis].assign(cuts.size() + 1, 0);
+    behind_[axis].assign(cuts.size() + 1, 0);
+  }
+  for_counted(pieces, [&](const Piece& piece) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& values = values_[axis];
+      if (values.empty()) continue;
+      const double low = piece.low[axis], high = piece.high[axis];
+      const std::size_t above = first_without(values, [&](double v) { return low - v >= -flat; });
+      const std::size_t first = first_without(values, [&](double v) { return high - v > flat; });
+      ++in_front_[axis][above];
+      ++behind_[axis][first];
+      for (std::size_t k = first; k < above; ++k) {
+        AxisCut& cut = cuts_[axis][k];
+        if (piece.plane == cut.plane) {
+          cut.count.covered += pieces_.area(piece);
+          cut.count.on += 1;
+        } else {
+          cut.count.within += 1;
+          add_hair(cut.count, piece, cut.plane);
+        }
       }
-    } else if (high <= flat) {
-      n.behind += 1;
-    } else if (low >= -flat) {
-      n.front += 1;
-    } else {
-      n.split += 1;
+    }
+  });
+  for (int axis = 0; axis < 3; ++axis) {
+    double front = 0, behind = 0, all = 0;
+    for (const std::uint32_t n : in_front_[axis]) all += n;
+    front = all;
+    for (std::size_t k = 0; k < cuts_[axis].size(); ++k) {
+      Count& n = cuts_[axis][k].count;
+      const double flush = n.on + n.within;
+      front -= in_front_[axis][k];
+      behind += behind_[axis][k];
+      n.front += front - flush;
+      n.behind += behind - flush;
+      n.split += all - front - behind + flush;
     }
   }
-  return n;
 }
 
 Chooser::Count Chooser::count_plane(std::span<const Piece> pieces, PlaneId plane) const {
   const ApproxPlane& p = planes_.approx(plane);
-  if (const int axis = planes_.axis(plane); axis >= 0) return count_axis(pieces, plane, axis, p.d / p.n[axis]);
   Count n;
-  const std::size_t stride = pieces.size() / most_counted + 1;
-  for (std::size_t k = 0; k < pieces.size(); k += stride) {
-    if (pieces[k].plane == plane) {
-      n.covered += pieces_.area(pieces[k]);
+  for_counted(pieces, [&](const Piece& piece) {
+    if (piece.plane == plane) {
+      n.covered += pieces_.area(piece);
       n.on += 1;
-      continue;
+      return;
     }
     bool behind = false, front = false;
-    for (const PieceCorner& c : pieces_.corners(pieces[k])) {
+    for (const PieceCorner& c : pieces_.corners(piece)) {
       const double s = p.n[0] * c.place.approx.x + p.n[1] * c.place.approx.y + p.n[2] * c.place.approx.z - p.d;
       behind |= s < -flat;
       front |= s > flat;
     }
     if (!behind && !front) {
-      add_hair(n, pieces[k], plane);
+      add_hair(n, piece, plane);
     } else if (behind && front) {
       n.split += 1;
     } else if (behind) {
@@ -93,7 +135,7 @@ Chooser::Count Chooser::count_plane(std::span<const Piece> pieces, PlaneId plane
     } else {
       n.front += 1;
     }
-  }
+  });
   return n;
 }
 
@@ -109,62 +151,85 @@ double Chooser::cost(const Count& n, std::size_t total, const Bounds& cell, cons
          weights_.cover * cover - (along_axis ? weights_.axis : 0.0);
 }
 
-Choice Chooser::choose(std::span<const Piece> pieces, const Bounds& cell, bool free_space) {
-  glm::dvec3 low = pieces[0].low, high = pieces[0].high;
-  for (const Piece& p : pieces) {
-    low = glm::min(low, p.low);
-    high = glm::max(high, p.high);
-  }
-
-  // Candidates: every plane of a small cell; of a large one a regular sample, so that the work stays near linear.
+/// Every plane of a small cell; of a large one a regular sample, so that the work stays near linear.
+void Chooser::add_candidates(std::span<const Piece> pieces) {
   candidates_.clear();
+  for (auto& cuts : cuts_) cuts.clear();
   const std::size_t stride = pieces.size() > 4 * most_candidates ? pieces.size() / (2 * most_candidates) : 1;
-  for (std::size_t k = 0; k < pieces.size(); k += stride) candidates_.push_back({pieces[k].plane, 0});
-  std::sort(candidates_.begin(), candidates_.end(), [](auto& a, auto& b) { return a.plane < b.plane; });
-  candidates_.erase(
-      std::unique(candidates_.begin(), candidates_.end(), [](auto& a, auto& b) { return a.plane == b.plane; }),
-      candidates_.end());
-  Choice best;
-  double least = 0;
-  for (const Candidate& c : candidates_) {
-    const ApproxPlane& p = planes_.approx(c.plane);
-    const double now = cost(count_plane(pieces, c.plane), pieces.size(), cell, p.n, p.d);
-    if (best.plane == none || now < least) {
-      least = now;
-      best.plane = c.plane;
-    }
-  }
-  if (!free_space || pieces.size() < free_space_from) return best;
+  for (std::size_t k = 0; k < pieces.size(); k += stride) candidates_.push_back(pieces[k].plane);
+  std::sort(candidates_.begin(), candidates_.end());
+  candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+  std::erase_if(candidates_, [&](PlaneId plane) {
+    const int axis = planes_.axis(plane);
+    if (axis < 0) return false;
+    const ApproxPlane& p = planes_.approx(plane);
+    cuts_[axis].push_back({p.d / p.n[axis], plane, {}});
+    return true;
+  });
+}
 
+/// Cuts in free space near the medians of the pieces.
+void Chooser::add_middles(std::span<const Piece> pieces) {
   for (int axis = 0; axis < 3; ++axis) {
-    const double size = high[axis] - low[axis];
-    if (size <= 0) continue;
     middles_.clear();
-    for (const Piece& p : pieces) middles_.push_back((p.low[axis] + p.high[axis]) / 2);
+    double low = pieces[0].low[axis], high = pieces[0].high[axis];
+    for_counted(pieces, [&](const Piece& p) {
+      low = std::min(low, p.low[axis]);
+      high = std::max(high, p.high[axis]);
+      middles_.push_back((p.low[axis] + p.high[axis]) / 2);
+    });
+    const double size = high - low;
+    if (size <= 0) continue;
     const auto middle = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
     std::nth_element(middles_.begin(), middle, middles_.end());
-    // A coordinate of few digits near the median: cheap to compute with ever after.
+    // A coordinate of few digits: cheap to compute with ever after.
     const double digit = std::exp2(std::floor(std::log2(size)) - 4);
     const double value = std::round(*middle / digit) * digit;
-    if (!(value > low[axis] && value < high[axis])) continue;
+    if (value > low && value < high) cuts_[axis].push_back({value, none, {}});
+  }
+}
+
+/// A coordinate in grid units.
+Integer Chooser::on_grid(double value) const {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  Integer grid = static_cast<long>(std::ldexp(mantissa, 53));
+  const int shift = exponent - 53 + scene_.grid().unit_bits();
+  if (shift >= 0) {
+    grid <<= static_cast<unsigned long>(shift);
+  } else {
+    mpz_fdiv_q_2exp(grid.get_mpz_t(), grid.get_mpz_t(), static_cast<unsigned long>(-shift));
+  }
+  return grid;
+}
+
+Choice Chooser::choose(std::span<const Piece> pieces, const Bounds& cell, bool free_space) {
+  add_candidates(pieces);
+  if (free_space && pieces.size() >= free_space_from) add_middles(pieces);
+  count_axes(pieces);
+  Choice best;
+  double least = INFINITY, value = 0;
+  // Of equal ones the plane that was made first.
+  const auto better = [&](double now, PlaneId plane) {
+    if (now > least || (now == least && plane >= best.plane)) return false;
+    least = now;
+    best.plane = plane;
+    return true;
+  };
+  for (const PlaneId plane : candidates_) {
+    const ApproxPlane& p = planes_.approx(plane);
+    better(cost(count_plane(pieces, plane), pieces.size(), cell, p.n, p.d), plane);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
     double normal[3] = {0, 0, 0};
     normal[axis] = 1;
-    const double now = cost(count_axis(pieces, none, axis, value), pieces.size(), cell, normal, value);
-    if (now < least) {
-      least = now;
-      best.plane = none;
+    for (const AxisCut& cut : cuts_[axis]) {
+      if (!better(cost(cut.count, pieces.size(), cell, normal, cut.value), cut.plane)) continue;
       best.axis = axis;
-      int exponent = 0;
-      const double mantissa = std::frexp(value, &exponent);
-      best.value = static_cast<long>(std::ldexp(mantissa, 53));
-      const int shift = exponent - 53 + scene_.grid().unit_bits();
-      if (shift >= 0) {
-        best.value <<= static_cast<unsigned long>(shift);
-      } else {
-        mpz_fdiv_q_2exp(best.value.get_mpz_t(), best.value.get_mpz_t(), static_cast<unsigned long>(-shift));
-      }
+      value = cut.value;
     }
   }
+  if (best.plane == none) best.value = on_grid(value);
   return best;
 }
 

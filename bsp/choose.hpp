@@ -28,25 +28,34 @@ class Chooser {
   Choice choose(std::span<const Piece> pieces, const Bounds& cell, bool free_space);
 
  private:
-  struct Candidate {
-    PlaneId plane;
-    double area;
-  };
   struct Count {
     double behind = 0, front = 0, on = 0;
     double split = 0;    // one a hair beside the plane counts in part
+    double within = 0;   // pieces a hair beside
     double covered = 0;  // area of those on the plane
+  };
+  /// A plane across an axis; none: not one of a piece, but free space.
+  struct AxisCut {
+    double value;
+    PlaneId plane;
+    Count count;
   };
   void add_hair(Count& n, const Piece& piece, PlaneId plane) const;
   Count count_plane(std::span<const Piece> pieces, PlaneId plane) const;
-  Count count_axis(std::span<const Piece> pieces, PlaneId plane, int axis, double value) const;
+  void count_axes(std::span<const Piece> pieces);
+  void add_candidates(std::span<const Piece> pieces);
+  void add_middles(std::span<const Piece> pieces);
   double cost(const Count& count, std::size_t total, const Bounds& cell, const double n[3], double d) const;
+  Integer on_grid(double value) const;
 
   const Scene& scene_;
   const PlaneTable& planes_;
   const Pieces& pieces_;
   ChoiceWeights weights_;
-  std::vector<Candidate> candidates_;
+  std::vector<PlaneId> candidates_;                     // planes of pieces; in the end those across no axis
+  std::vector<AxisCut> cuts_[3];                        // by axis, ascending by value when they are counted
+  std::vector<double> values_[3];                       // of cuts_
+  std::vector<std::uint32_t> in_front_[3], behind_[3];  // pieces by the place among cuts_ of what they lie behind of
   std::vector<double> middles_;
 };
 
