@@ -12,12 +12,14 @@ namespace {
 void enlarged_box(const Scene& scene, Integer lower[3], Integer upper[3]) {
   const PointTable& points = scene.points();
   Integer extent = 1;
+  constexpr double rounded = 0x1p-50;  // more than two coordinates are off by
   for (int k = 0; k < 3; ++k) {
     PointId least = none, most = none;
     for (const SurfaceEdge& e : scene.all_edges()) {
       for (const PointId p : {e.a, e.b}) {
-        if (least == none || compare(points, p, least, k) < 0) least = p;
-        if (most == none || compare(points, p, most, k) > 0) most = p;
+        const double at = points.approx(p)[k];
+        if (least == none || (at <= points.approx(least)[k] + rounded && compare(points, p, least, k) < 0)) least = p;
+        if (most == none || (at >= points.approx(most)[k] - rounded && compare(points, p, most, k) > 0)) most = p;
       }
     }
     lower[k] = least != none ? points.point(least)[static_cast<std::size_t>(k)] : Integer(0);
@@ -93,6 +95,7 @@ class Builder {
       tasks_.pop_back();
       if (waiting_.size() > task.first) cut(task);
     }
+    labeller_.finish(pieces_);
   }
   std::uint32_t splits() const { return splits_; }
 
@@ -114,7 +117,7 @@ class Builder {
       waiting_.insert(waiting_.end(), front_.begin(), front_.end());
     }
     const Splitter::CellCut cut = splitter_.cut_cell(task.cell, plane);
-    labeller_.label(cut.face, on_, pieces_);
+    labeller_.note(cut.face, on_);
     Task behind{task.cell, task.first, task.bounds}, front{cut.front, waiting_.size(), task.bounds};
     if (const int axis = c_.planes.axis(plane); axis >= 0) {
       const ApproxPlane& p = c_.planes.approx(plane);

@@ -1,8 +1,10 @@
 #include "bsp/label.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+#include <numeric>
 
 namespace sightline {
 namespace {
@@ -21,6 +23,16 @@ Sign along(const PlaneTable& planes, PlaneId p, PlaneId q, PointId a, PointId b)
   const Sign rising = compare(planes.points(), b, a, k);
   return t[k] > 0 ? rising : -rising;
 }
+
+// Most are far from each other. Boxes are rounded, by less than 2^-46.
+template <class A, class B>
+bool clear_of(const A& a, const B& b) {
+  constexpr double clear = 0x1p-40;
+  return glm::any(glm::greaterThan(a.low - b.high, glm::dvec3{clear})) ||
+         glm::any(glm::greaterThan(b.low - a.high, glm::dvec3{clear}));
+}
+
+constexpr std::size_t few = 8;  // faces, or pieces, to be taken one by one
 
 }  // namespace
 
@@ -44,27 +56,24 @@ bool Labeller::apart(FaceId face, const Piece& piece, const Pieces& arena) const
   return found;
 }
 
-// The edges of a face that lie on the wall of a polygon's edge lie on that edge's line: they take its name.
-void Labeller::name_edges(FaceId face, const SurfaceEdge& edge) {
-  const PlaneId own = c_.faces[face].plane;
-  const Sign forwards = along(c_.planes, own, edge.wall, edge.a, edge.b);
-  Sign face_side = 0;  // on which side of the wall the face lies
-  for_pairs_of_face(c_, face, [&](PairId p) {
-    if (face_side == 0) face_side = splitter_.sign(pair_tail(c_, p));
-  });
+// The edges of a face that lie on the wall of a polygon's edge lie on that edge's line: they take its name. `side`: on
+// which side of the wall the face lies.
+void Labeller::name_edges(FaceId face, Sign side, const SurfaceEdge& edge) {
+  Sign forwards = 0;
   splitter_.for_pairs_on(face, [&](PairId p) {
     Edge& e = c_.edges[c_.pairs[p].edge];
     if (e.a != none) return;
+    if (forwards == 0) forwards = along(c_.planes, c_.faces[face].plane, edge.wall, edge.a, edge.b);
     // Counter-clockwise around the face its inside is on the left: along n_face x n_wall if the face lies behind.
-    const Sign direction = -face_side * (c_.pairs[p].direction == 0 ? 1 : -1) * forwards;
+    const Sign direction = -side * (c_.pairs[p].direction == 0 ? 1 : -1) * forwards;
     e.a = direction > 0 ? edge.a : edge.b;
     e.b = direction > 0 ? edge.b : edge.a;
   });
 }
 
 /// Bounds of the face's corners, rounded.
-Labeller::Bounds Labeller::bounds(FaceId face) const {
-  Bounds b{glm::dvec3{INFINITY}, glm::dvec3{-INFINITY}};
+Labeller::Box Labeller::bounds(FaceId face) const {
+  Box b{glm::dvec3{INFINITY}, glm::dvec3{-INFINITY}};
   for_pairs_of_face(c_, face, [&](PairId p) {
     const glm::dvec3& at = c_.vertices[pair_tail(c_, p)].place.approx;
     b.low = glm::min(b.low, at);
@@ -73,26 +82,99 @@ Labeller::Bounds Labeller::bounds(FaceId face) const {
   return b;
 }
 
-void Labeller::label(FaceId face, std::span<const Piece> pieces, const Pieces& arena) {
-  faces_.assign(1, face);
-  bounds_.assign(1, bounds(face));
-  for (const Piece& piece : pieces) {
+void Labeller::note(FaceId face, std::span<const Piece> pieces) {
+  if (pieces.empty()) return;
+  c_.faces[face].label = static_cast<LabelId>(first_.size() - 1);
+  for (const Piece& p : pieces) noted_.push_back({p.surface, p.first, p.count});
+  first_.push_back(static_cast<std::uint32_t>(noted_.size()));
+}
+
+void Labeller::finish(const Pieces& arena) {
+  // Faces by the cut that made them, in order.
+  std::vector<std::uint32_t> end(first_.size(), 0);
+  for (const Face& f : c_.faces) ++end[f.label];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<FaceId> faces(c_.faces.size());
+  for (auto f = static_cast<FaceId>(faces.size()); f-- > 0;) faces[--end[c_.faces[f].label]] = f;
+  for (const FaceId f : faces) c_.faces[f].label = 0;
+  end.push_back(static_cast<std::uint32_t>(faces.size()));
+
+  for (std::size_t cut = 1; cut + 1 < first_.size(); ++cut) {
+    faces_.clear();
+    for (std::uint32_t k = end[cut]; k < end[cut + 1]; ++k) faces_.push_back({faces[k], bounds(faces[k])});
+    pieces_.clear();
+    near_.clear();
+    for (std::uint32_t k = first_[cut]; k < first_[cut + 1]; ++k) {
+      near_.push_back(static_cast<std::uint32_t>(pieces_.size()));
+      pieces_.push_back(arena.piece(noted_[k].surface, noted_[k].first, noted_[k].count));
+    }
+    meet(faces_, 0, arena);
+  }
+}
+
+/// Faces and pieces of one plane, those of near_ from `first` on: halved by place until few are left.
+void Labeller::meet(std::span<Found> faces, std::size_t first, const Pieces& arena) {
+  if (faces.size() <= few || near_.size() - first <= few) {
+    for (const Found& f : faces) label(f, first, arena);
+    return;
+  }
+  Box all = faces[0].box;
+  for (const Found& f : faces) {
+    all.low = glm::min(all.low, f.box.low);
+    all.high = glm::max(all.high, f.box.high);
+  }
+  const glm::dvec3 size = all.high - all.low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  middles_.clear();
+  for (const Found& f : faces) middles_.push_back(f.box.low[axis] + f.box.high[axis]);
+  const auto half = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
+  std::nth_element(middles_.begin(), half, middles_.end());
+  const double middle = *half;
+  scratch_.clear();
+  std::size_t below = 0;
+  for (const Found& f : faces) {
+    if (f.box.low[axis] + f.box.high[axis] < middle) {
+      faces[below++] = f;
+    } else {
+      scratch_.push_back(f);
+    }
+  }
+  std::copy(scratch_.begin(), scratch_.end(), faces.begin() + static_cast<std::ptrdiff_t>(below));
+  if (below == 0) {  // all in one place
+    for (const Found& f : faces) label(f, first, arena);
+    return;
+  }
+  const std::size_t mine = near_.size();
+  for (const auto part : {faces.first(below), faces.subspan(below)}) {
+    Box box = part[0].box;
+    for (const Found& f : part) {
+      box.low = glm::min(box.low, f.box.low);
+      box.high = glm::max(box.high, f.box.high);
+    }
+    for (std::size_t k = first; k < mine; ++k) {
+      if (!clear_of(pieces_[near_[k]], box)) near_.push_back(near_[k]);
+    }
+    meet(part, mine, arena);
+    near_.resize(mine);
+  }
+}
+
+void Labeller::label(const Found& face, std::size_t first, const Pieces& arena) {
+  parts_.assign(1, face);
+  for (std::size_t i = first; i < near_.size(); ++i) {
+    const Piece& piece = pieces_[near_[i]];
+    if (clear_of(piece, face.box)) continue;
     const auto edges = scene_.edges(scene_.surfaces()[piece.surface]);
-    for (std::size_t k = 0, n = faces_.size(); k < n; ++k) {
-      // Most are far from each other. Both boxes are rounded, by less than 2^-46.
-      constexpr double clear = 0x1p-40;
-      if (glm::any(glm::greaterThan(piece.low - bounds_[k].high, glm::dvec3{clear})) ||
-          glm::any(glm::greaterThan(bounds_[k].low - piece.high, glm::dvec3{clear}))) {
-        continue;
-      }
-      const FaceId inside = faces_[k];
+    for (std::size_t k = 0, n = parts_.size(); k < n; ++k) {
+      if (clear_of(piece, parts_[k].box)) continue;
+      const FaceId inside = parts_[k].face;
       bool outside = false, crossed = false;
       for (const SurfaceEdge& e : edges) {
         const auto side = splitter_.classify_face(inside, e.wall);
         if (side == Splitter::Side::crossed) {
           crossed = true;
         } else {
-          name_edges(inside, e);
+          name_edges(inside, side == Splitter::Side::front ? 1 : -1, e);
           outside |= side != (e.inside > 0 ? Splitter::Side::front : Splitter::Side::behind);
         }
         if (outside) break;
@@ -100,22 +182,18 @@ void Labeller::label(FaceId face, std::span<const Piece> pieces, const Pieces& a
       if (outside || (crossed && apart(inside, piece, arena))) continue;
       FaceId rest = inside;  // what is left of the face inside of the walls so far
       for (const SurfaceEdge& e : edges) {
+        if (!crossed) break;
         if (splitter_.classify_face(rest, e.wall) != Splitter::Side::crossed) continue;
         EdgeId between;
         const FaceId front = splitter_.cut_face(rest, e.wall, &between);
         const Sign forwards = along(c_.planes, c_.edges[between].plane[0], e.wall, e.a, e.b);
         c_.edges[between].a = forwards > 0 ? e.a : e.b;
         c_.edges[between].b = forwards > 0 ? e.b : e.a;
-        if (e.inside > 0) {
-          faces_.push_back(rest);
-          rest = front;
-        } else {
-          faces_.push_back(front);
-        }
-        bounds_.push_back(bounds(faces_.back()));
+        const FaceId off = e.inside > 0 ? rest : front;
+        if (e.inside > 0) rest = front;
+        parts_.push_back({off, bounds(off)});
       }
-      bounds_[k] = bounds(rest);
-      faces_[k] = rest;
+      if (crossed) parts_[k] = {rest, bounds(rest)};
       c_.faces[rest].label = labels_.with(c_.faces[rest].label, piece.surface);
     }
   }

@@ -41,6 +41,12 @@ Piece Pieces::whole(SurfaceId surface) {
   return piece;
 }
 
+Piece Pieces::piece(SurfaceId surface, std::uint32_t first, std::uint32_t count) const {
+  Piece piece{surface, scene_.surfaces()[surface].plane, first, count, {}, {}};
+  bound(piece);
+  return piece;
+}
+
 int Pieces::sides(const Piece& piece, PlaneId plane) {
   if (piece.plane == plane) return 0;
   sign_.clear();

@@ -35,6 +35,8 @@ class Pieces {
   /// Room for so many corners, beforehand.
   void reserve(std::size_t corners) { corners_.reserve(corners); }
   Piece whole(SurfaceId surface);
+  /// One that was made before, of a surface, by its corners.
+  Piece piece(SurfaceId surface, std::uint32_t first, std::uint32_t count) const;
   Sign side(const PieceCorner& corner, PlaneId plane) const {
     return corner.point != none ? point_side(planes_, corner.point, plane) : vertex_side(planes_, corner.place, plane);
   }
