@@ -52,27 +52,6 @@ void trim(std::vector<Item>& list) {
   if (list.capacity() > 4096 && list.size() < list.capacity() / 4) list.shrink_to_fit();
 }
 
-/// On which side of a plane boxes of pieces lie: 0 where it is not clear of them.
-class BoxSide {
- public:
-  explicit BoxSide(const ApproxPlane& plane) : p_(plane) {}
-  Sign of(const glm::dvec3& low, const glm::dvec3& high) const {
-    double least = -p_.d, most = -p_.d;
-    for (int k = 0; k < 3; ++k) {
-      const double a = p_.n[k] * low[k], b = p_.n[k] * high[k];
-      least += std::min(a, b);
-      most += std::max(a, b);
-    }
-    return least > clear ? 1 : most < -clear ? -1 : 0;
-  }
-
- private:
-  // A corner is known within 2^-48 along each axis, components of n, at most 1, and d, at most 3, within 2^-53; three
-  // products and three sums of at most 6 are rounded: 3 x 2^-48 + 7 x 2^-53 + 21 x 2^-53 < 2^-46.
-  static constexpr double clear = 0x1p-40;
-  ApproxPlane p_;
-};
-
 class Builder {
  public:
   Builder(const Scene& scene, Complex& complex, const ChoiceWeights& weights)

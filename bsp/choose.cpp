@@ -35,7 +35,7 @@ std::pair<double, double> surface_parts(const Bounds& box, const double n[3], do
 
 /// Calls visit(piece) for those that are counted.
 template <class Visit>
-void for_counted(std::span<const Piece> pieces, Visit&& visit) {
+void for_counted(std::span<Piece> pieces, Visit&& visit) {
   const std::size_t stride = pieces.size() / most_counted + 1;
   for (std::size_t k = 0; k < pieces.size(); k += stride) visit(pieces[k]);
 }
@@ -54,6 +54,11 @@ std::size_t first_without(const std::vector<double>& values, Property&& has) {
 
 }  // namespace
 
+double Chooser::area(Piece& piece) const {
+  if (piece.known_area < 0) piece.known_area = pieces_.area(piece);
+  return piece.known_area;
+}
+
 // A piece that lies within rounding of a plane without being in it is cut or not as the exact signs say; but it leaves
 // a wedge of a cell behind, where walls of others end in slivers.
 void Chooser::add_hair(Count& n, const Piece& piece, PlaneId plane) const {
@@ -65,7 +70,7 @@ void Chooser::add_hair(Count& n, const Piece& piece, PlaneId plane) const {
 
 // A piece lies in front of the cuts below it, and behind those above it: two places among the sorted cuts tell its side
 // of all of them. Those between, if any, are within rounding of it.
-void Chooser::count_axes(std::span<const Piece> pieces) {
+void Chooser::count_axes(std::span<Piece> pieces) {
   for (int axis = 0; axis < 3; ++axis) {
     auto& cuts = cuts_[axis];
     std::sort(cuts.begin(), cuts.end(), [](auto& a, auto& b) { return a.value < b.value; });
@@ -74,7 +79,7 @@ void Chooser::count_axes(std::span<const Piece> pieces) {
     in_front_[axis].assign(cuts.size() + 1, 0);
     behind_[axis].assign(cuts.size() + 1, 0);
   }
-  for_counted(pieces, [&](const Piece& piece) {
+  for_counted(pieces, [&](Piece& piece) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto& values = values_[axis];
       if (values.empty()) continue;
@@ -86,7 +91,7 @@ void Chooser::count_axes(std::span<const Piece> pieces) {
       for (std::size_t k = first; k < above; ++k) {
         AxisCut& cut = cuts_[axis][k];
         if (piece.plane == cut.plane) {
-          cut.count.covered += pieces_.area(piece);
+          cut.count.covered += area(piece);
           cut.count.on += 1;
         } else {
           cut.count.within += 1;
@@ -111,12 +116,12 @@ void Chooser::count_axes(std::span<const Piece> pieces) {
   }
 }
 
-Chooser::Count Chooser::count_plane(std::span<const Piece> pieces, PlaneId plane) const {
+Chooser::Count Chooser::count_plane(std::span<Piece> pieces, PlaneId plane) const {
   const ApproxPlane& p = planes_.approx(plane);
   Count n;
-  for_counted(pieces, [&](const Piece& piece) {
+  for_counted(pieces, [&](Piece& piece) {
     if (piece.plane == plane) {
-      n.covered += pieces_.area(piece);
+      n.covered += area(piece);
       n.on += 1;
       return;
     }
@@ -152,7 +157,7 @@ double Chooser::cost(const Count& n, std::size_t total, const Bounds& cell, cons
 }
 
 /// Every plane of a small cell; of a large one a regular sample, so that the work stays near linear.
-void Chooser::add_candidates(std::span<const Piece> pieces) {
+void Chooser::add_candidates(std::span<Piece> pieces) {
   candidates_.clear();
   for (auto& cuts : cuts_) cuts.clear();
   const std::size_t stride = pieces.size() > 4 * most_candidates ? pieces.size() / (2 * most_candidates) : 1;
@@ -169,11 +174,11 @@ void Chooser::add_candidates(std::span<const Piece> pieces) {
 }
 
 /// Cuts in free space near the medians of the pieces.
-void Chooser::add_middles(std::span<const Piece> pieces) {
+void Chooser::add_middles(std::span<Piece> pieces) {
   for (int axis = 0; axis < 3; ++axis) {
     middles_.clear();
     double low = pieces[0].low[axis], high = pieces[0].high[axis];
-    for_counted(pieces, [&](const Piece& p) {
+    for_counted(pieces, [&](Piece& p) {
       low = std::min(low, p.low[axis]);
       high = std::max(high, p.high[axis]);
       middles_.push_back((p.low[axis] + p.high[axis]) / 2);
@@ -203,7 +208,7 @@ Integer Chooser::on_grid(double value) const {
   return grid;
 }
 
-Choice Chooser::choose(std::span<const Piece> pieces, const Bounds& cell, bool free_space) {
+Choice Chooser::choose(std::span<Piece> pieces, const Bounds& cell, bool free_space) {
   add_candidates(pieces);
   if (free_space && pieces.size() >= free_space_from) add_middles(pieces);
   count_axes(pieces);

@@ -25,7 +25,7 @@ class Chooser {
   Chooser(const Scene& scene, const PlaneTable& planes, const Pieces& pieces, const ChoiceWeights& weights)
       : scene_(scene), planes_(planes), pieces_(pieces), weights_(weights) {}
   /// `pieces` is not empty; `cell` bounds their cell. With `free_space` false only planes of pieces are considered.
-  Choice choose(std::span<const Piece> pieces, const Bounds& cell, bool free_space);
+  Choice choose(std::span<Piece> pieces, const Bounds& cell, bool free_space);
 
  private:
   struct Count {
@@ -40,11 +40,12 @@ class Chooser {
     PlaneId plane;
     Count count;
   };
+  double area(Piece& piece) const;
   void add_hair(Count& n, const Piece& piece, PlaneId plane) const;
-  Count count_plane(std::span<const Piece> pieces, PlaneId plane) const;
-  void count_axes(std::span<const Piece> pieces);
-  void add_candidates(std::span<const Piece> pieces);
-  void add_middles(std::span<const Piece> pieces);
+  Count count_plane(std::span<Piece> pieces, PlaneId plane) const;
+  void count_axes(std::span<Piece> pieces);
+  void add_candidates(std::span<Piece> pieces);
+  void add_middles(std::span<Piece> pieces);
   double cost(const Count& count, std::size_t total, const Bounds& cell, const double n[3], double d) const;
   Integer on_grid(double value) const;
 

@@ -164,39 +164,56 @@ void Labeller::label(const Found& face, std::size_t first, const Pieces& arena) 
   for (std::size_t i = first; i < near_.size(); ++i) {
     const Piece& piece = pieces_[near_[i]];
     if (clear_of(piece, face.box)) continue;
-    const auto edges = scene_.edges(scene_.surfaces()[piece.surface]);
     for (std::size_t k = 0, n = parts_.size(); k < n; ++k) {
-      if (clear_of(piece, parts_[k].box)) continue;
-      const FaceId inside = parts_[k].face;
-      bool outside = false, crossed = false;
-      for (const SurfaceEdge& e : edges) {
-        const auto side = splitter_.classify_face(inside, e.wall);
-        if (side == Splitter::Side::crossed) {
-          crossed = true;
-        } else {
-          name_edges(inside, side == Splitter::Side::front ? 1 : -1, e);
-          outside |= side != (e.inside > 0 ? Splitter::Side::front : Splitter::Side::behind);
-        }
-        if (outside) break;
-      }
-      if (outside || (crossed && apart(inside, piece, arena))) continue;
-      FaceId rest = inside;  // what is left of the face inside of the walls so far
-      for (const SurfaceEdge& e : edges) {
-        if (!crossed) break;
-        if (splitter_.classify_face(rest, e.wall) != Splitter::Side::crossed) continue;
-        EdgeId between;
-        const FaceId front = splitter_.cut_face(rest, e.wall, &between);
-        const Sign forwards = along(c_.planes, c_.edges[between].plane[0], e.wall, e.a, e.b);
-        c_.edges[between].a = forwards > 0 ? e.a : e.b;
-        c_.edges[between].b = forwards > 0 ? e.b : e.a;
-        const FaceId off = e.inside > 0 ? rest : front;
-        if (e.inside > 0) rest = front;
-        parts_.push_back({off, bounds(off)});
-      }
-      if (crossed) parts_[k] = {rest, bounds(rest)};
-      c_.faces[rest].label = labels_.with(c_.faces[rest].label, piece.surface);
+      if (!clear_of(piece, parts_[k].box)) label_part(k, piece, arena);
     }
   }
+}
+
+void Labeller::label_part(std::size_t part, const Piece& piece, const Pieces& arena) {
+  const auto [face, box] = parts_[part];
+  crossed_.clear();
+  const auto edges = scene_.edges(scene_.surfaces()[piece.surface]);
+  // Most faces lie outside, as neighbours: first the wall that most of the face is beyond of.
+  std::size_t start = 0;
+  double least = INFINITY;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const ApproxPlane& p = c_.planes.approx(edges[k].wall);
+    const glm::dvec3 twice = box.low + box.high;
+    const double within = edges[k].inside * (p.n[0] * twice.x + p.n[1] * twice.y + p.n[2] * twice.z - 2 * p.d);
+    if (within < least) {
+      least = within;
+      start = k;
+    }
+  }
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const SurfaceEdge& e = edges[start + k < edges.size() ? start + k : start + k - edges.size()];
+    const Sign clear = BoxSide(c_.planes.approx(e.wall)).of(box.low, box.high);
+    Splitter::FaceSide found{clear > 0 ? Splitter::Side::front : Splitter::Side::behind, false};
+    if (clear == 0) found = splitter_.classify_face(face, e.wall);
+    if (found.side == Splitter::Side::crossed) {
+      crossed_.push_back(e);
+      continue;
+    }
+    const Sign side = found.side == Splitter::Side::front ? 1 : -1;
+    if (side != e.inside) return;  // its edges on the wall, if any are the piece's, are those of a face inside
+    if (found.flush) name_edges(face, side, e);
+  }
+  if (!crossed_.empty() && apart(face, piece, arena)) return;
+  FaceId rest = face;  // what is left of the face inside of the walls so far
+  for (const SurfaceEdge& e : crossed_) {
+    if (splitter_.classify_face(rest, e.wall).side != Splitter::Side::crossed) continue;
+    EdgeId between;
+    const FaceId front = splitter_.cut_face(rest, e.wall, &between);
+    const Sign forwards = along(c_.planes, c_.edges[between].plane[0], e.wall, e.a, e.b);
+    c_.edges[between].a = forwards > 0 ? e.a : e.b;
+    c_.edges[between].b = forwards > 0 ? e.b : e.a;
+    const FaceId off = e.inside > 0 ? rest : front;
+    if (e.inside > 0) rest = front;
+    parts_.push_back({off, bounds(off)});
+  }
+  if (!crossed_.empty()) parts_[part] = {rest, bounds(rest)};
+  c_.faces[rest].label = labels_.with(c_.faces[rest].label, piece.surface);
 }
 
 }  // namespace sightline

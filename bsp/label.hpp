@@ -28,6 +28,7 @@ class Labeller {
   };
   void meet(std::span<Found> faces, std::size_t first, const Pieces& arena);
   void label(const Found& face, std::size_t first, const Pieces& arena);
+  void label_part(std::size_t part, const Piece& piece, const Pieces& arena);
   bool apart(FaceId face, const Piece& piece, const Pieces& arena) const;
   void name_edges(FaceId face, Sign side, const SurfaceEdge& edge);
   Box bounds(FaceId face) const;
@@ -47,6 +48,7 @@ class Labeller {
   std::vector<std::uint32_t> near_;         // of pieces_, those near the faces at hand; above them those near fewer
   std::vector<double> middles_;
   std::vector<Found> parts_;  // of the face at hand
+  std::vector<SurfaceEdge> crossed_;
 };
 
 }  // namespace sightline

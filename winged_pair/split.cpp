@@ -14,8 +14,17 @@ void Splitter::join_spin(PairId before, PairId after) {
   c_.pairs[after].spin[0] = before;
 }
 
-void Splitter::classify(VertexId v, PlaneId plane) {
-  if (vertex_marks_.first(v)) sign_[v] = static_cast<std::int8_t>(vertex_side(c_.planes, c_.vertices[v].place, plane));
+void Splitter::make_room() {
+  const auto grown = [](auto& states, std::size_t size) {
+    if (states.size() < size) states.resize(size + size / 2 + 16, 0);
+  };
+  grown(vertex_state_, c_.vertices.size());
+  grown(face_state_, c_.faces.size());
+}
+
+Sign Splitter::classify(VertexId v, PlaneId plane) {
+  if (vertex_state_[v] >> 2 != now_) set_sign(v, vertex_side(c_.planes, c_.vertices[v].place, plane));
+  return sign(v);
 }
 
 VertexId Splitter::split_edge(EdgeId e, PlaneId plane) {
@@ -47,10 +56,8 @@ VertexId Splitter::split_edge(EdgeId e, PlaneId plane) {
   for (PairId k = 0; k < size; ++k) join_spin(first + k, first + (k + 1) % size);
   c_.edges[rest].pair = first;
 
-  vertex_marks_.grow(c_.vertices.size());
-  if (sign_.size() < vertex_marks_.stamp.size()) sign_.resize(vertex_marks_.stamp.size());
-  vertex_marks_.first(v);
-  sign_[v] = 0;
+  make_room();
+  set_sign(v, 0);
   return v;
 }
 
@@ -58,8 +65,8 @@ VertexId Splitter::split_edge(EdgeId e, PlaneId plane) {
 FaceId Splitter::split_face(FaceId f, PlaneId plane, EdgeId* between) {
   PairId to_front = none, to_back = none;  // the pairs that leave the plane for its front, for its back
   for_pairs_of_face(c_, f, [&](PairId p) {
-    if (sign_[pair_tail(c_, p)] != 0) return;
-    const Sign head = sign_[pair_head(c_, p)];
+    if (sign(pair_tail(c_, p)) != 0) return;
+    const Sign head = sign(pair_head(c_, p));
     if (head > 0) to_front = p;
     if (head < 0) to_back = p;
   });
@@ -93,106 +100,111 @@ FaceId Splitter::split_face(FaceId f, PlaneId plane, EdgeId* between) {
 // plane and one in front at each.
 FaceId Splitter::cap(CellId back, CellId front, PlaneId plane) {
   const auto f = static_cast<FaceId>(c_.faces.size());
-  rim_.clear();
+  const auto first = static_cast<PairId>(c_.pairs.size());
   if (rim_at_.size() < c_.vertices.size()) rim_at_.resize(c_.vertices.size() + c_.vertices.size() / 2);
-  for (const EdgeId e : edges_) {
-    if (sign_[c_.edges[e].vertex[0]] != 0 || sign_[c_.edges[e].vertex[1]] != 0) continue;
-    PairId before = none;  // counter-clockwise around the edge the cell comes after it
-    for_pairs_of_edge(c_, e, [&](PairId p) {
-      if (cell_after(c_, p) == back) before = p;
-    });
-    const PairId after = c_.pairs[before].spin[1];
+  for (const auto& [before, from_behind] : rim_) {
     const auto r = static_cast<PairId>(c_.pairs.size());
+    const PairId after = c_.pairs[before].spin[1];
     // Direction 0: the front cell comes next. So it is if the face that we come from lies behind.
-    bool from_behind = false;
-    for (PairId p = c_.pairs[before].clock[1]; p != before; p = c_.pairs[p].clock[1]) {
-      const Sign s = sign_[pair_head(c_, p)];
-      if (s != 0) {
-        from_behind = s < 0;
-        break;
-      }
-    }
-    c_.pairs.push_back({f, e, {none, none}, {none, none}, from_behind ? 0u : 1u});
+    c_.pairs.push_back({f, c_.pairs[before].edge, {none, none}, {none, none}, from_behind ? 0u : 1u});
     join_spin(before, r);
     join_spin(r, after);
-    rim_.push_back(r);
+    rim_at_[pair_tail(c_, r)] = r;
   }
-  c_.faces.push_back({{back, front}, rim_[0], plane, 0});
-  for (const PairId r : rim_) rim_at_[pair_tail(c_, r)] = r;
-  for (const PairId r : rim_) join_clock(r, rim_at_[pair_head(c_, r)]);
+  c_.faces.push_back({{back, front}, first, plane, 0});
+  for (PairId r = first; r < c_.pairs.size(); ++r) join_clock(r, rim_at_[pair_head(c_, r)]);
   return f;
 }
 
-Splitter::CellCut Splitter::cut_cell(CellId cell, PlaneId plane) {
-  faces_of_cell(c_, cell, face_marks_, faces_);
-  vertex_marks_.begin(c_.vertices.size());
-  if (sign_.size() < vertex_marks_.stamp.size()) sign_.resize(vertex_marks_.stamp.size());
-  edge_marks_.begin(c_.edges.size());
-  edges_.clear();
-  bool any_back = false, any_front = false;
-  for (const FaceId f : faces_) {
+// Goes over the cell once: its faces, in the order of a breadth-first walk, and their sides of the plane; the edges
+// that cross it, and those that lie on it. False if the cell lies on one side.
+bool Splitter::walk(CellId cell, PlaneId plane) {
+  ++now_;
+  make_room();
+  faces_.clear();
+  crossing_.clear();
+  rim_.clear();
+  const auto reach = [&](FaceId f) {
+    if (face_state_[f] >> 2 == now_) return;
+    face_state_[f] = now_ << 2;
+    faces_.push_back(f);
+  };
+  reach(c_.cells[cell].face);
+  std::uint32_t all = 0;
+  for (std::size_t k = 0; k < faces_.size(); ++k) {
+    const FaceId f = faces_[k];
+    const std::uint32_t at_front = c_.faces[f].cell[1] == cell ? 1 : 0;
+    std::uint32_t found = 0;
     for_pairs_of_face(c_, f, [&](PairId p) {
-      const VertexId v = pair_tail(c_, p);
-      classify(v, plane);
-      any_back |= sign_[v] < 0;
-      any_front |= sign_[v] > 0;
-      if (edge_marks_.first(c_.pairs[p].edge)) edges_.push_back(c_.pairs[p].edge);
+      const Pair& pair = c_.pairs[p];
+      const bool cell_follows = pair.direction != at_front;  // around the edge, counter-clockwise after the pair
+      const PairId across = pair.spin[cell_follows ? 1 : 0];
+      const FaceId next = c_.pairs[across].face;
+      reach(next);
+      if (across < p) return;  // each edge once, for both faces
+      const Edge& e = c_.edges[pair.edge];
+      const Sign a = classify(e.vertex[0], plane), b = classify(e.vertex[1], plane);
+      const std::uint32_t sides = (a < 0 || b < 0 ? 1u : 0u) | (a > 0 || b > 0 ? 2u : 0u);
+      found |= sides;
+      face_state_[next] |= sides;
+      if (sides == 3) crossing_.push_back(pair.edge);
+      if (sides == 0) rim_.push_back({cell_follows ? p : across, false});
     });
+    face_state_[f] |= found;
+    all |= found;
   }
-  if (!any_back || !any_front) return {};
+  for (auto& [before, from_behind] : rim_) from_behind = (face_state_[c_.pairs[before].face] & 1) != 0;
+  return all == 3;
+}
 
-  for (std::size_t k = 0, n = edges_.size(); k < n; ++k) {
-    const Edge& e = c_.edges[edges_[k]];
-    if (sign_[e.vertex[0]] * sign_[e.vertex[1]] < 0) split_edge(edges_[k], plane);
-  }
+Splitter::CellCut Splitter::cut_cell(CellId cell, PlaneId plane) {
+  if (!walk(cell, plane)) return {};
+  for (const EdgeId e : crossing_) split_edge(e, plane);
   const auto front = static_cast<CellId>(c_.cells.size());
   c_.cells.push_back({none});
-  for (std::size_t k = 0, n = faces_.size(); k < n; ++k) {
-    bool behind = false, before = false;
-    for_pairs_of_face(c_, faces_[k], [&](PairId p) {
-      behind |= sign_[pair_tail(c_, p)] < 0;
-      before |= sign_[pair_tail(c_, p)] > 0;
-    });
-    if (behind && before) {
+  for (FaceId& f : faces_) {
+    if ((face_state_[f] & 3) == 3) {
       EdgeId e;
-      faces_.push_back(split_face(faces_[k], plane, &e));
-      edges_.push_back(e);
+      const FaceId part = split_face(f, plane, &e);
+      const PairId behind = c_.edges[e].pair;  // the pair of the part behind, of direction 0; the other comes next
+      const bool cell_follows = c_.faces[f].cell[1] == cell;
+      rim_.push_back({cell_follows ? behind : c_.pairs[behind].spin[1], cell_follows});
+      f = part;
+    } else if ((face_state_[f] & 2) == 0) {
+      continue;
     }
-  }
-  // The rim is found while every face of the cell still names it; then the front ones pass to the new cell.
-  const FaceId f = cap(cell, front, plane);
-  for (const FaceId g : faces_) {
-    bool before = false;
-    for_pairs_of_face(c_, g, [&](PairId p) { before |= sign_[pair_tail(c_, p)] > 0; });
-    if (!before) continue;
-    for (CellId& side : c_.faces[g].cell) {
+    for (CellId& side : c_.faces[f].cell) {
       if (side == cell) side = front;
     }
   }
+  const FaceId f = cap(cell, front, plane);
   c_.cells[cell].face = f;
   c_.cells[front].face = f;
   return {front, f};
 }
 
-Splitter::Side Splitter::classify_face(FaceId f, PlaneId plane) {
-  vertex_marks_.begin(c_.vertices.size());
-  if (sign_.size() < vertex_marks_.stamp.size()) sign_.resize(vertex_marks_.stamp.size());
+Splitter::FaceSide Splitter::classify_face(FaceId f, PlaneId plane) {
+  make_room();
   bool behind = false, before = false;
+  int on = 0;
   for_pairs_of_face(c_, f, [&](PairId p) {
     const VertexId v = pair_tail(c_, p);
-    classify(v, plane);
-    behind |= sign_[v] < 0;
-    before |= sign_[v] > 0;
+    const Sign s = vertex_side(c_.planes, c_.vertices[v].place, plane);
+    set_sign(v, s);
+    behind |= s < 0;
+    before |= s > 0;
+    on += s == 0 ? 1 : 0;
   });
-  return behind && before ? Side::crossed : before ? Side::front : Side::behind;
+  const Side side = behind && before ? Side::crossed : before ? Side::front : Side::behind;
+  return {side, side != Side::crossed && on > 1};
 }
 
 FaceId Splitter::cut_face(FaceId f, PlaneId plane, EdgeId* between) {
-  edges_.clear();
+  crossing_.clear();
   for_pairs_of_face(c_, f, [&](PairId p) {
-    if (sign_[pair_tail(c_, p)] * sign_[pair_head(c_, p)] < 0) edges_.push_back(c_.pairs[p].edge);
+    if (sign(pair_tail(c_, p)) * sign(pair_head(c_, p)) < 0) crossing_.push_back(c_.pairs[p].edge);
   });
-  for (const EdgeId e : edges_) split_edge(e, plane);
+  for (const EdgeId e : crossing_) split_edge(e, plane);
   return split_face(f, plane, between);
 }
 

@@ -36,22 +36,29 @@ class Splitter {
   };
   CellCut cut_cell(CellId cell, PlaneId plane);
 
-  /// Where a face lies against a plane other than its own.
+  /// Where a face lies against a plane other than its own, and whether an edge of it lies on the plane.
   enum class Side { behind, front, crossed };
-  Side classify_face(FaceId face, PlaneId plane);
+  struct FaceSide {
+    Side side;
+    bool flush;
+  };
+  FaceSide classify_face(FaceId face, PlaneId plane);
   /// Splits a crossed face (classified by the call just before): returns the new part in front; `between` is the edge.
   FaceId cut_face(FaceId face, PlaneId plane, EdgeId* between);
-  /// After classify_face: the sign of one of the face's vertices; the pairs of it whose edges lie on the plane.
-  Sign sign(VertexId v) const { return sign_[v]; }
+  /// After classify_face: visits the pairs of the face whose edges lie on the plane.
   template <class Visit>
   void for_pairs_on(FaceId face, Visit&& visit) {
     for_pairs_of_face(c_, face, [&](PairId p) {
-      if (sign_[pair_tail(c_, p)] == 0 && sign_[pair_head(c_, p)] == 0) visit(p);
+      if (sign(pair_tail(c_, p)) == 0 && sign(pair_head(c_, p)) == 0) visit(p);
     });
   }
 
  private:
-  void classify(VertexId v, PlaneId plane);
+  Sign sign(VertexId v) const { return static_cast<Sign>(vertex_state_[v] & 3u) - 1; }
+  void set_sign(VertexId v, Sign s) { vertex_state_[v] = now_ << 2 | static_cast<std::uint32_t>(s + 1); }
+  Sign classify(VertexId v, PlaneId plane);
+  void make_room();
+  bool walk(CellId cell, PlaneId plane);
   VertexId split_edge(EdgeId edge, PlaneId plane);
   FaceId split_face(FaceId face, PlaneId plane, EdgeId* between);
   FaceId cap(CellId back, CellId front, PlaneId plane);
@@ -59,11 +66,18 @@ class Splitter {
   void join_spin(PairId before, PairId after);
 
   Complex& c_;
-  Marks face_marks_, vertex_marks_, edge_marks_;
-  std::vector<std::int8_t> sign_;  // of vertices against the plane at hand; valid where vertex_marks_ say so
+  // The number of the cut that last came by, shifted, and what it found: of a vertex its sign and 1, of a face on which
+  // sides it has vertices (bit 0: behind, bit 1: in front).
+  std::vector<std::uint32_t> vertex_state_, face_state_;
+  std::uint32_t now_ = 0;
   std::vector<FaceId> faces_;
-  std::vector<EdgeId> edges_;
-  std::vector<PairId> ring_, rim_;
+  std::vector<EdgeId> crossing_;
+  struct Rim {
+    PairId before;  // counter-clockwise around an edge in the plane the cell comes after it
+    bool from_behind;
+  };
+  std::vector<Rim> rim_;
+  std::vector<PairId> ring_;
   std::vector<PairId> rim_at_;  // by vertex: the rim pair that starts there
 };
 
