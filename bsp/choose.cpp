@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 namespace sightline {
 namespace {
@@ -15,7 +14,7 @@ constexpr double flat = 0x1p-40;             // unit length below which a piece 
 // Area of a box's section by a plane with normal n, roughly: the side seen along the normal's main axis.
 double section(const glm::dvec3& size, const double n[3]) {
   const int k = main_axis(n);
-  return size[(k + 1) % 3] * size[(k + 2) % 3] * std::hypot(n[0], n[1], n[2]) / std::abs(n[k]);
+  return size[(k + 1) % 3] * size[(k + 2) % 3] * std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / std::abs(n[k]);
 }
 
 // The part of the box's surface that lies behind the plane and the part in front, the cut counted with both.
@@ -118,11 +117,16 @@ void Chooser::count_axes(std::span<Piece> pieces) {
 
 Chooser::Count Chooser::count_plane(std::span<Piece> pieces, PlaneId plane) const {
   const ApproxPlane& p = planes_.approx(plane);
+  const BoxSide box_side(p);
   Count n;
   for_counted(pieces, [&](Piece& piece) {
     if (piece.plane == plane) {
       n.covered += area(piece);
       n.on += 1;
+      return;
+    }
+    if (const Sign clear = box_side.of(piece.low, piece.high); clear != 0) {
+      (clear < 0 ? n.behind : n.front) += 1;
       return;
     }
     bool behind = false, front = false;
@@ -159,11 +163,15 @@ double Chooser::cost(const Count& n, std::size_t total, const Bounds& cell, cons
 /// Every plane of a small cell; of a large one a regular sample, so that the work stays near linear.
 void Chooser::add_candidates(std::span<Piece> pieces) {
   candidates_.clear();
-  for (auto& cuts : cuts_) cuts.clear();
   const std::size_t stride = pieces.size() > 4 * most_candidates ? pieces.size() / (2 * most_candidates) : 1;
   for (std::size_t k = 0; k < pieces.size(); k += stride) candidates_.push_back(pieces[k].plane);
   std::sort(candidates_.begin(), candidates_.end());
   candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+}
+
+/// Puts planes across an axis where they belong.
+void Chooser::sort_candidates() {
+  for (auto& cuts : cuts_) cuts.clear();
   std::erase_if(candidates_, [&](PlaneId plane) {
     const int axis = planes_.axis(plane);
     if (axis < 0) return false;
@@ -209,10 +217,16 @@ Integer Chooser::on_grid(double value) const {
 }
 
 Choice Chooser::choose(std::span<Piece> pieces, const Bounds& cell, bool free_space) {
-  add_candidates(pieces);
-  if (free_space && pieces.size() >= free_space_from) add_middles(pieces);
-  count_axes(pieces);
   Choice best;
+  const bool many = free_space && pieces.size() >= free_space_from;
+  add_candidates(pieces);
+  if (!many && candidates_.size() == 1) {
+    best.plane = candidates_[0];
+    return best;
+  }
+  sort_candidates();
+  if (many) add_middles(pieces);
+  count_axes(pieces);
   double least = INFINITY, value = 0;
   // Of equal ones the plane that was made first.
   const auto better = [&](double now, PlaneId plane) {

@@ -45,6 +45,7 @@ class Chooser {
   Count count_plane(std::span<Piece> pieces, PlaneId plane) const;
   void count_axes(std::span<Piece> pieces);
   void add_candidates(std::span<Piece> pieces);
+  void sort_candidates();
   void add_middles(std::span<Piece> pieces);
   double cost(const Count& count, std::size_t total, const Bounds& cell, const double n[3], double d) const;
   Integer on_grid(double value) const;

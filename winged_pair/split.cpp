@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "exact/tally.hpp"
+
 namespace sightline {
 
 void Splitter::join_clock(PairId before, PairId after) {
@@ -22,8 +24,20 @@ void Splitter::make_room() {
   grown(face_state_, c_.faces.size());
 }
 
-Sign Splitter::classify(VertexId v, PlaneId plane) {
-  if (vertex_state_[v] >> 2 != now_) set_sign(v, vertex_side(c_.planes, c_.vertices[v].place, plane));
+/// The bound is vertex_side's for what can lie in a complex: coordinates are at most 1.25, |d| at most 3, so the data's
+/// part is 3.75 u + 3 error + 3 u, rounding 3.75 u for products and (2.5 + 3.75 + 6.75) u for sums, u = 2^-53.
+Sign Splitter::side(const ImplicitVertex& at, PlaneId plane, const ApproxPlane& q) const {
+  const double value = q.n[0] * at.approx.x + q.n[1] * at.approx.y + q.n[2] * at.approx.z - q.d;
+  const double bound = 32 * 0x1p-53 + 3.25 * at.error;
+  if (value > bound || value < -bound) {
+    ++tally().filter;
+    return value > 0 ? 1 : -1;
+  }
+  return vertex_side(c_.planes, at, plane);
+}
+
+Sign Splitter::classify(VertexId v, PlaneId plane, const ApproxPlane& q) {
+  if (vertex_state_[v] >> 2 != now_) set_sign(v, side(c_.vertices[v].place, plane, q));
   return sign(v);
 }
 
@@ -124,6 +138,7 @@ bool Splitter::walk(CellId cell, PlaneId plane) {
   faces_.clear();
   crossing_.clear();
   rim_.clear();
+  const ApproxPlane q = c_.planes.approx(plane);
   const auto reach = [&](FaceId f) {
     if (face_state_[f] >> 2 == now_) return;
     face_state_[f] = now_ << 2;
@@ -143,7 +158,7 @@ bool Splitter::walk(CellId cell, PlaneId plane) {
       reach(next);
       if (across < p) return;  // each edge once, for both faces
       const Edge& e = c_.edges[pair.edge];
-      const Sign a = classify(e.vertex[0], plane), b = classify(e.vertex[1], plane);
+      const Sign a = classify(e.vertex[0], plane, q), b = classify(e.vertex[1], plane, q);
       const std::uint32_t sides = (a < 0 || b < 0 ? 1u : 0u) | (a > 0 || b > 0 ? 2u : 0u);
       found |= sides;
       face_state_[next] |= sides;
@@ -187,9 +202,10 @@ Splitter::FaceSide Splitter::classify_face(FaceId f, PlaneId plane) {
   make_room();
   bool behind = false, before = false;
   int on = 0;
+  const ApproxPlane q = c_.planes.approx(plane);
   for_pairs_of_face(c_, f, [&](PairId p) {
     const VertexId v = pair_tail(c_, p);
-    const Sign s = vertex_side(c_.planes, c_.vertices[v].place, plane);
+    const Sign s = side(c_.vertices[v].place, plane, q);
     set_sign(v, s);
     behind |= s < 0;
     before |= s > 0;

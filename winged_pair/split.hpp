@@ -56,7 +56,8 @@ class Splitter {
  private:
   Sign sign(VertexId v) const { return static_cast<Sign>(vertex_state_[v] & 3u) - 1; }
   void set_sign(VertexId v, Sign s) { vertex_state_[v] = now_ << 2 | static_cast<std::uint32_t>(s + 1); }
-  Sign classify(VertexId v, PlaneId plane);
+  Sign side(const ImplicitVertex& at, PlaneId plane, const ApproxPlane& q) const;
+  Sign classify(VertexId v, PlaneId plane, const ApproxPlane& q);
   void make_room();
   bool walk(CellId cell, PlaneId plane);
   VertexId split_edge(EdgeId edge, PlaneId plane);
