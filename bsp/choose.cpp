@@ -39,16 +39,22 @@ void for_counted(std::span<Piece> pieces, Visit&& visit) {
   for (std::size_t k = 0; k < pieces.size(); k += stride) visit(pieces[k]);
 }
 
-/// How many of the values, which are not none, come before the first without the property, which none after it has.
-template <class Property>
-std::size_t first_without(const std::vector<double>& values, Property&& has) {
-  const double* from = values.data();
+struct Places {
+  std::size_t above, first;
+};
+
+/// How many of the ascending values, which are not none, are at most `low`, and how many are below `high`. Both are
+/// looked for at once, without branches: neither has to wait for the other.
+Places find(const std::vector<double>& values, double low, double high) {
+  const double *above = values.data(), *first = above;
   for (std::size_t n = values.size(); n > 1;) {
     const std::size_t half = n / 2;
-    from += has(from[half - 1]) ? half : 0;
+    above += above[half - 1] <= low ? half : 0;
+    first += first[half - 1] < high ? half : 0;
     n -= half;
   }
-  return static_cast<std::size_t>(from - values.data()) + (has(*from) ? 1 : 0);
+  return {static_cast<std::size_t>(above - values.data()) + (*above <= low ? 1 : 0),
+          static_cast<std::size_t>(first - values.data()) + (*first < high ? 1 : 0)};
 }
 
 }  // namespace
@@ -82,9 +88,7 @@ void Chooser::count_axes(std::span<Piece> pieces) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto& values = values_[axis];
       if (values.empty()) continue;
-      const double low = piece.low[axis], high = piece.high[axis];
-      const std::size_t above = first_without(values, [&](double v) { return low - v >= -flat; });
-      const std::size_t first = first_without(values, [&](double v) { return high - v > flat; });
+      const auto [above, first] = find(values, piece.low[axis] + flat, piece.high[axis] - flat);
       ++in_front_[axis][above];
       ++behind_[axis][first];
       for (std::size_t k = first; k < above; ++k) {

@@ -118,22 +118,19 @@ void Labeller::meet(std::span<Found> faces, std::size_t first, const Pieces& are
     for (const Found& f : faces) label(f, first, arena);
     return;
   }
-  Box all = faces[0].box;
+  const auto twice_centre = [](const Found& f) { return f.box.low + f.box.high; };
+  glm::dvec3 low = twice_centre(faces[0]), high = low;
   for (const Found& f : faces) {
-    all.low = glm::min(all.low, f.box.low);
-    all.high = glm::max(all.high, f.box.high);
+    low = glm::min(low, twice_centre(f));
+    high = glm::max(high, twice_centre(f));
   }
-  const glm::dvec3 size = all.high - all.low;
+  const glm::dvec3 size = high - low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  middles_.clear();
-  for (const Found& f : faces) middles_.push_back(f.box.low[axis] + f.box.high[axis]);
-  const auto half = middles_.begin() + static_cast<std::ptrdiff_t>(middles_.size() / 2);
-  std::nth_element(middles_.begin(), half, middles_.end());
-  const double middle = *half;
+  const double middle = (low[axis] + high[axis]) / 2;
   scratch_.clear();
   std::size_t below = 0;
   for (const Found& f : faces) {
-    if (f.box.low[axis] + f.box.high[axis] < middle) {
+    if (twice_centre(f)[axis] < middle) {
       faces[below++] = f;
     } else {
       scratch_.push_back(f);

@@ -46,8 +46,7 @@ class Labeller {
   std::vector<Piece> pieces_;               // of the cut at hand
   std::vector<Found> faces_, scratch_;      // that came of it
   std::vector<std::uint32_t> near_;         // of pieces_, those near the faces at hand; above them those near fewer
-  std::vector<double> middles_;
-  std::vector<Found> parts_;  // of the face at hand
+  std::vector<Found> parts_;                // of the face at hand
   std::vector<SurfaceEdge> crossed_;
 };
 

@@ -61,17 +61,29 @@ Complex make_box(const Scene& scene, const Integer lower[3], const Integer upper
 }
 
 LabelId Labels::with(LabelId base, SurfaceId added) {
+  if (base == 0) {  // most of all
+    if (alone_.size() <= added) alone_.resize(std::size_t{added} + 1, none);
+    if (alone_[added] == none) {
+      complex_->label_surfaces.push_back(added);
+      alone_[added] = close();
+    }
+    return alone_[added];
+  }
   const auto key = static_cast<std::uint64_t>(base) << 32 | added;
   if (const auto found = next_.find(key); found != next_.end()) return found->second;
-  auto& first = complex_->label_first;
+  const auto& first = complex_->label_first;
   auto& surfaces = complex_->label_surfaces;
   std::vector<SurfaceId> set(surfaces.begin() + first[base], surfaces.begin() + first[base + 1]);
   const auto at = std::lower_bound(set.begin(), set.end(), added);
   if (at != set.end() && *at == added) return next_[key] = base;
   set.insert(at, added);
   surfaces.insert(surfaces.end(), set.begin(), set.end());
-  first.push_back(static_cast<std::uint32_t>(surfaces.size()));
-  return next_[key] = static_cast<LabelId>(first.size() - 2);
+  return next_[key] = close();
+}
+
+LabelId Labels::close() {
+  complex_->label_first.push_back(static_cast<std::uint32_t>(complex_->label_surfaces.size()));
+  return static_cast<LabelId>(complex_->label_first.size() - 2);
 }
 
 }  // namespace sightline

@@ -36,11 +36,6 @@ Sign Splitter::side(const ImplicitVertex& at, PlaneId plane, const ApproxPlane& 
   return vertex_side(c_.planes, at, plane);
 }
 
-Sign Splitter::classify(VertexId v, PlaneId plane, const ApproxPlane& q) {
-  if (vertex_state_[v] >> 2 != now_) set_sign(v, side(c_.vertices[v].place, plane, q));
-  return sign(v);
-}
-
 VertexId Splitter::split_edge(EdgeId e, PlaneId plane) {
   const auto v = static_cast<VertexId>(c_.vertices.size());
   const auto rest = static_cast<EdgeId>(c_.edges.size());

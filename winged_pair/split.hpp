@@ -18,8 +18,11 @@ class Labels {
   LabelId with(LabelId base, SurfaceId added);
 
  private:
+  LabelId close();  // of the surfaces that were appended
+
   Complex* complex_;
-  std::unordered_map<std::uint64_t, LabelId> next_;  // (base, added) -> label
+  std::vector<LabelId> alone_;                       // by surface: the label of just that one, or none
+  std::unordered_map<std::uint64_t, LabelId> next_;  // (base, added) -> label, for other bases
 };
 
 /// Splits elements of one complex by planes. Holds scratch memory; one object serves a whole construction.
@@ -57,7 +60,10 @@ class Splitter {
   Sign sign(VertexId v) const { return static_cast<Sign>(vertex_state_[v] & 3u) - 1; }
   void set_sign(VertexId v, Sign s) { vertex_state_[v] = now_ << 2 | static_cast<std::uint32_t>(s + 1); }
   Sign side(const ImplicitVertex& at, PlaneId plane, const ApproxPlane& q) const;
-  Sign classify(VertexId v, PlaneId plane, const ApproxPlane& q);
+  Sign classify(VertexId v, PlaneId plane, const ApproxPlane& q) {
+    if (vertex_state_[v] >> 2 != now_) set_sign(v, side(c_.vertices[v].place, plane, q));
+    return sign(v);
+  }
   void make_room();
   bool walk(CellId cell, PlaneId plane);
   VertexId split_edge(EdgeId edge, PlaneId plane);

@@ -123,6 +123,26 @@ TEST(Build, RandomSmallScenes) {
   }
 }
 
+// The floor is cut first, and its faces wait to be named until walls above and below have cut them too.
+TEST(Build, ManyPolygonsInOnePlane) {
+  std::mt19937_64 random(5);
+  std::vector<Points> polygons{{{0, 0, 0}, {24, 0, 0}, {24, 24, 0}, {0, 24, 0}}};
+  const auto at = [&](unsigned range) { return static_cast<double>(random() % range); };
+  for (int k = 0; k < 120; ++k) {  // tiles and rhombs, apart, side by side, one over the other
+    const double x = at(23), y = at(23), w = 1 + at(2);
+    if (k % 4 != 0) {
+      polygons.push_back({{x, y, 0}, {x + w, y, 0}, {x + w, y + 1, 0}, {x, y + 1, 0}});
+    } else {
+      polygons.push_back({{x + 1, y, 0}, {x + 2, y + 1, 0}, {x + 1, y + 2, 0}, {x, y + 1, 0}});
+    }
+  }
+  for (int k = 0; k < 24; ++k) {
+    const double x = at(24), y = at(20), z = k % 2 == 0 ? 3 : -3;
+    polygons.push_back({{x, y, 0}, {x, y + 3, 0}, {x, y + 3, z}, {x, y, z}});
+  }
+  expect_right(soup_of(polygons), "a floor of tiles");
+}
+
 TEST(Build, ModelsAreRightAndOfPaperSize) {
   for (const char* name : {"rooms", "maze", "arena", "city", "floor"}) {
     const Model model = make_model(name);

@@ -11,7 +11,7 @@
 namespace sightline {
 namespace {
 
-/// Cuts surfaces by planes of others, again and again, and compares all signs on the way.
+/// Cuts surfaces by planes of others, again and again, and compares all signs on the way, those told by boxes too.
 std::size_t compare_signs(const Scene& scene, std::size_t surfaces, std::size_t planes) {
   std::mt19937_64 random(3);
   const auto any_plane = [&](const Surface& near) {
@@ -19,7 +19,7 @@ std::size_t compare_signs(const Scene& scene, std::size_t surfaces, std::size_t 
     const std::size_t at = static_cast<std::size_t>(&near - scene.surfaces().data()) + random() % 48;
     return scene.surfaces()[at % scene.surfaces().size()].plane;
   };
-  std::size_t cut = 0;
+  std::size_t cut = 0, told_by_box = 0;
   for (std::size_t k = 0; k < surfaces; ++k) {
     const auto s = static_cast<SurfaceId>(random() % scene.surfaces().size());
     Pieces pieces(scene, scene.planes());
@@ -28,9 +28,15 @@ std::size_t compare_signs(const Scene& scene, std::size_t surfaces, std::size_t 
       const PlaneId plane = any_plane(scene.surfaces()[s]);
       const Piece piece = parts[random() % parts.size()];
       CornerSides sides(scene, scene.planes(), s, plane);
+      const Sign by_box = BoxSide(scene.planes().approx(plane)).of(piece.low, piece.high);
       for (const PieceCorner& c : pieces.corners(piece)) {
-        EXPECT_EQ(sides.of(c), vertex_side(scene.planes(), c.place, plane));
+        const Sign side = vertex_side(scene.planes(), c.place, plane);
+        EXPECT_EQ(sides.of(c), side);
+        if (by_box != 0) {
+          EXPECT_EQ(by_box, side);
+        }
       }
+      told_by_box += by_box != 0;
       if (pieces.sides(piece, plane) != 3) continue;
       Piece halves[2];
       pieces.split(piece, plane, halves[0], halves[1]);
@@ -38,6 +44,7 @@ std::size_t compare_signs(const Scene& scene, std::size_t surfaces, std::size_t 
       ++cut;
     }
   }
+  EXPECT_GT(told_by_box, surfaces);
   return cut;
 }
 
