@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t most_candidates = 64;  // planes looked at in a large cell
 constexpr std::size_t most_counted = 2048;   // pieces counted for each
+constexpr std::size_t most_for_median = 512;
 constexpr std::size_t free_space_from = 24;  // pieces from which cuts in free space are considered
 constexpr double flat = 0x1p-40;             // unit length below which a piece counts as lying in a plane
 
@@ -32,10 +33,10 @@ std::pair<double, double> surface_parts(const Bounds& box, const double n[3], do
   return n[k] > 0 ? std::pair{parts[0], parts[1]} : std::pair{parts[1], parts[0]};
 }
 
-/// Calls visit(piece) for those that are counted.
+/// Calls visit(piece) for a regular sample of at most so many.
 template <class Visit>
-void for_counted(std::span<Piece> pieces, Visit&& visit) {
-  const std::size_t stride = pieces.size() / most_counted + 1;
+void for_sample(std::span<Piece> pieces, std::size_t most, Visit&& visit) {
+  const std::size_t stride = pieces.size() / most + 1;
   for (std::size_t k = 0; k < pieces.size(); k += stride) visit(pieces[k]);
 }
 
@@ -84,7 +85,7 @@ void Chooser::count_axes(std::span<Piece> pieces) {
     in_front_[axis].assign(cuts.size() + 1, 0);
     behind_[axis].assign(cuts.size() + 1, 0);
   }
-  for_counted(pieces, [&](Piece& piece) {
+  for_sample(pieces, most_counted, [&](Piece& piece) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto& values = values_[axis];
       if (values.empty()) continue;
@@ -123,7 +124,7 @@ Chooser::Count Chooser::count_plane(std::span<Piece> pieces, PlaneId plane) cons
   const ApproxPlane& p = planes_.approx(plane);
   const BoxSide box_side(p);
   Count n;
-  for_counted(pieces, [&](Piece& piece) {
+  for_sample(pieces, most_counted, [&](Piece& piece) {
     if (piece.plane == plane) {
       n.covered += area(piece);
       n.on += 1;
@@ -190,7 +191,7 @@ void Chooser::add_middles(std::span<Piece> pieces) {
   for (int axis = 0; axis < 3; ++axis) {
     middles_.clear();
     double low = pieces[0].low[axis], high = pieces[0].high[axis];
-    for_counted(pieces, [&](Piece& p) {
+    for_sample(pieces, most_for_median, [&](Piece& p) {
       low = std::min(low, p.low[axis]);
       high = std::max(high, p.high[axis]);
       middles_.push_back((p.low[axis] + p.high[axis]) / 2);
