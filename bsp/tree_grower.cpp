@@ -26,18 +26,15 @@ TreeBox box_of(std::span<const TreePiece> pieces) {
 }  // namespace
 
 TreeNode* TreeGrower::plant(TreeLoad& load) {
-  parts_.take_all(load);
-  parts_.swap_arena(load);
-  Extent extent;
-  for (const TreePart p : load.parts) extent.add(parts_, p);
-  parts_.swap_arena(load);
+  TreeExtent extent;
+  parts_.take_all(load, extent);
   TreeNode* const root = node_of(load.parts.size(), extent);
   load.along = extent.along;
   return root;
 }
 
 /// A node for so many parts within these bounds.
-TreeNode* TreeGrower::node_of(std::size_t count, Extent& extent) {
+TreeNode* TreeGrower::node_of(std::size_t count, TreeExtent& extent) {
   if (count == 0) return nullptr;
   const RoundedBox& box = extent.box;
   if (!parts_.frame().turned()) extent.along = box;
@@ -60,9 +57,12 @@ void TreeGrower::keep_edges(TreePart part, TreePiece& out) {
   out.edge = edge;
   out.corner = corner;
   for (std::size_t i = 0; whole && i < sides.size(); ++i) {
-    const PointId begin = sides[i == 0 ? sides.size() - 1 : i - 1].corner;
     edge[i] = {twin(sides[i].a), twin(sides[i].b), none, 0};
-    corner[i] = {scene_.points().approx(begin), twin(begin)};
+    corner[i].point = twin(sides[i == 0 ? sides.size() - 1 : i - 1].corner);
+  }
+  if (whole) {
+    std::size_t next = 0;
+    parts_.for_corners(part, [&](const glm::dvec3& p) { corner[next = next + 1 == out.count ? 0 : next + 1].at = p; });
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const PieceCorner& c = corners[i];
@@ -127,46 +127,75 @@ void TreeGrower::keep(TreeNode& node) {
   node.groups = {group, count};
 }
 
+/// Hands every part to `place`, but whole blocks on one side of the cut, as `side` says, straight to that side.
+template <class Side, class Place>
+void TreeGrower::part_blocks(std::span<TreePart> here, std::size_t& behind, Side&& side, Place&& place) {
+  for (std::size_t k = 0; k < here.size();) {
+    const std::size_t count = parts_.block_at(here.subspan(k));
+    const auto block = here.subspan(k, std::max<std::size_t>(count, 1));
+    k += block.size();
+    const int found = count > 0 ? side(parts_.block(block[0])) : 0;
+    if (found == 0) {
+      for (const TreePart p : block) place(p);
+      continue;
+    }
+    extent_[found == 2].add(parts_.block(block[0]));
+    if (found == 2) {
+      front_.insert(front_.end(), block.begin(), block.end());
+    } else {
+      std::copy(block.begin(), block.end(), here.begin() + static_cast<std::ptrdiff_t>(behind));
+      behind += count;
+    }
+  }
+}
+
 std::size_t TreeGrower::part_by_plane(std::span<TreePart> here, PlaneId plane) {
   parts_.aim(plane);
   std::size_t behind = 0;
-  for (const TreePart p : here) {
+  const auto place = [&](TreePart p) {
     switch (parts_.sides(p)) {
       case 0:
         on_.push_back(p);
         break;
       case 1:
         here[behind++] = p;
-        extent_[0].add(parts_, p);
+        parts_.extend(extent_[0], p);
         break;
       case 2:
         front_.push_back(p);
-        extent_[1].add(parts_, p);
+        parts_.extend(extent_[1], p);
         break;
       default: {
         TreePart halves[2];
         parts_.split(p, halves[0], halves[1]);
-        for (const int k : {0, 1}) extent_[k].add(parts_, halves[k]);
+        for (const int k : {0, 1}) parts_.extend(extent_[k], halves[k]);
         here[behind++] = halves[0];
         front_.push_back(halves[1]);
       }
     }
-  }
+  };
+  part_blocks(
+      here, behind, [this](const TreeExtent& block) { return parts_.clear_side(block); }, place);
   return behind;
 }
 
 std::size_t TreeGrower::part_in_gap(std::span<TreePart> here, int axis, double d) {
   std::size_t behind = 0;
-  for (const TreePart p : here) {
+  const bool turned = parts_.frame().turned();
+  const auto side = [&](const TreeExtent& block) {
+    const RoundedBox& along = turned ? block.along : block.box;
+    return along.low[axis] > d ? 2 : along.high[axis] < d ? 1 : 0;
+  };
+  part_blocks(here, behind, side, [&](TreePart p) {
     const bool front = parts_.along(p).low[axis] > d;
     assert(front || parts_.along(p).high[axis] < d);
-    extent_[front].add(parts_, p);
+    parts_.extend(extent_[front], p);
     if (front) {
       front_.push_back(p);
     } else {
       here[behind++] = p;
     }
-  }
+  });
   return behind;
 }
 
@@ -175,7 +204,7 @@ std::size_t TreeGrower::part(TreeNode& node, std::span<TreePart> here, const Rou
   const TreeCut cut = choice_.choose(here, along);
   on_.clear();
   front_.clear();
-  for (Extent& extent : extent_) extent = {};
+  for (TreeExtent& extent : extent_) extent = {};
   std::size_t behind = 0;
   if (cut.plane != none) {
     node.plane = cut.plane;

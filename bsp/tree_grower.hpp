@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bsp/store.hpp"
+#include "bsp/tree.hpp"
 #include "bsp/tree_choice.hpp"
 
 namespace sightline {
@@ -29,17 +30,9 @@ class TreeGrower {
   std::size_t part(TreeNode& node, std::span<TreePart> here, const RoundedBox& along);
   std::size_t part_by_plane(std::span<TreePart> here, PlaneId plane);
   std::size_t part_in_gap(std::span<TreePart> here, int axis, double d);
-  /// Bounds of the parts on one side of a node.
-  struct Extent {
-    RoundedBox box, along;
-    float spread = 0;
-    void add(const TreeParts& parts, TreePart p) {
-      box.add(parts.box(p));
-      spread = std::max(spread, parts.spread(p));
-      if (parts.frame().turned()) along.add(parts.along(p));
-    }
-  };
-  TreeNode* node_of(std::size_t count, Extent& extent);
+  template <class Side, class Place>
+  void part_blocks(std::span<TreePart> here, std::size_t& behind, Side&& side, Place&& place);
+  TreeNode* node_of(std::size_t count, TreeExtent& extent);
   void order(std::span<TreePart> parts);
   void keep(TreeNode& node);
   void keep_edges(TreePart part, TreePiece& out);
@@ -48,7 +41,7 @@ class TreeGrower {
   TreeParts parts_;
   TreeChoice choice_;
   std::vector<TreePart> on_, front_, waiting_;
-  Extent extent_[2];  // of the children of the latest node
+  TreeExtent extent_[2];  // of the children of the latest node
   Store<TreeNode> nodes_;
   Store<TreePiece> kept_;
   Store<TreeEdge> edges_;

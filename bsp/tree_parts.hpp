@@ -1,65 +1,10 @@
 // Surfaces, and pieces of them, on their way to their nodes in a polygon tree.
 #pragma once
 
-#include <algorithm>
-#include <atomic>
-
 #include "bsp/pieces.hpp"
-#include "bsp/tree.hpp"
-#include "bsp/tree_frame.hpp"
+#include "bsp/tree_surfaces.hpp"
 
 namespace sightline {
-
-/// Bounds in floats that hold what they bound, with at least 2^-24 to spare: a float is within 2^-24 of a number below
-/// 2, and coordinates, along a frame too, are below 1.8. Their own rounding is far below that.
-struct RoundedBox {
-  float low[3] = {2, 2, 2}, high[3] = {-2, -2, -2};
-
-  void add(const glm::dvec3& least, const glm::dvec3& most) {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], static_cast<float>(least[k] - 0x1p-23));
-      high[k] = std::max(high[k], static_cast<float>(most[k] + 0x1p-23));
-    }
-  }
-  void add(const RoundedBox& other) {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], other.low[k]);
-      high[k] = std::max(high[k], other.high[k]);
-    }
-  }
-};
-
-/// What is told of whole surfaces before any is cut or kept. Shared by all who divide nodes.
-class TreeSurfaces {
- public:
-  explicit TreeSurfaces(const Scene& scene);
-  const Scene& scene() const { return scene_; }
-  const TreeFrame& frame() const { return frame_; }
-  const RoundedBox& box(SurfaceId s) const { return box_[s]; }
-  /// Bounds along the frame.
-  const RoundedBox& along(SurfaceId s) const { return turned_.empty() ? box_[s] : turned_[s]; }
-  float area(SurfaceId s) const;
-  /// At least the diagonal of the bounding box of the surface's polygon.
-  float spread(SurfaceId s) const { return spread_[s]; }
-  /// A surface may have a corner that is no point of the scene; there is nothing more about it here.
-  bool has_points(SurfaceId s) const { return box_[s].low[0] <= box_[s].high[0]; }
-  template <class F>
-  void for_corners(SurfaceId s, F&& f) const {
-    for (const SurfaceEdge& e : scene_.edges(scene_.surfaces()[s])) f(scene_.points().approx(e.corner));
-  }
-  std::size_t bytes() const {
-    return box_.size() * (sizeof(RoundedBox) + 2 * sizeof(float)) + turned_.size() * sizeof(RoundedBox);
-  }
-
- private:
-  void find_spreads();
-
-  const Scene& scene_;
-  TreeFrame frame_;
-  std::vector<RoundedBox> box_, turned_;
-  std::vector<float> spread_;
-  std::unique_ptr<std::atomic<float>[]> area_;  // 0: not asked for yet; whoever asks finds the same
-};
 
 /// A piece that planes have cut off.
 struct CutPart {
@@ -101,7 +46,20 @@ class TreeParts {
     const CutPart& c = cut_[p - count_];
     return frame().turned() ? c.turned : c.box;
   }
-  float spread(TreePart p) const { return wholes_.spread(surface(p)); }
+  void extend(TreeExtent& extent, TreePart p) const {
+    extent.box.add(box(p));
+    extent.spread = std::max(extent.spread, wholes_.spread(surface(p)));
+    if (frame().turned()) extent.along.add(along(p));
+  }
+  /// How many parts from this one on are a whole block of surfaces, 0 or all of `surface_block`.
+  std::size_t block_at(std::span<const TreePart> parts) const {
+    if (parts.size() < surface_block || parts[0] % surface_block != 0) return 0;
+    if (parts[surface_block - 1] != parts[0] + surface_block - 1 || !whole(parts[surface_block - 1])) return 0;
+    std::uint32_t other = 0;
+    for (std::uint32_t k = 0; k < surface_block; ++k) other |= parts[k] ^ (parts[0] + k);
+    return other == 0 ? surface_block : 0;
+  }
+  const TreeExtent& block(TreePart first) const { return wholes_.block(first); }
   float area(TreePart p) const { return whole(p) ? wholes_.area(p) : cut_[p - count_].area; }
   /// Calls with the unit coordinates of each corner, in order.
   template <class F>
@@ -118,11 +76,16 @@ class TreeParts {
   const TreeFrame& frame() const { return wholes_.frame(); }
 
   /// All surfaces of the scene.
-  void take_all(TreeLoad& load);
+  void take_all(TreeLoad& load, TreeExtent& extent) const;
   /// Names the plane that the next two speak of.
   void aim(PlaneId plane);
   /// Bit 0: partly behind the plane, bit 1: partly in front; 0: in the plane.
-  int sides(TreePart p);
+  int sides(TreePart p) {
+    const int clear = clear_side(along(p));
+    return clear ? clear : exact_sides(p);
+  }
+  /// Where a whole block lies, as above; 0: the plane may pass through it.
+  int clear_side(const TreeExtent& block) const { return clear_side(frame().turned() ? block.along : block.box); }
   /// Cuts the part, which lies on both sides, as found by sides() just before.
   void split(TreePart p, TreePart& behind, TreePart& front);
 
@@ -142,6 +105,17 @@ class TreeParts {
     return {c.surface, wholes_.scene().surfaces()[c.surface].plane, c.first, c.count, {}, {}};
   }
   TreePart add(const Piece& piece);
+  /// The box has 2^-24 to spare on every side. A plane across an axis loses at most 2^-25 as a float; the sum for any
+  /// other, of a normal of at least 1/2, is far less off than what a box has to spare along it.
+  int clear_side(const RoundedBox& box) const {
+    if (axis_ >= 0) return box.low[axis_] > at_ ? 2 : box.high[axis_] < at_ ? 1 : 0;
+    double middle = -d_, reach = 0;
+    for (int k = 0; k < 3; ++k) {
+      middle += normal_[k] * (static_cast<double>(box.low[k]) + box.high[k]) * 0.5;
+      reach += std::abs(normal_[k]) * (static_cast<double>(box.high[k]) - box.low[k]) * 0.5;
+    }
+    return middle > reach ? 2 : middle < -reach ? 1 : 0;
+  }
   int exact_sides(TreePart p);
 
   const TreeSurfaces& wholes_;
