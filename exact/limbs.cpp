@@ -73,8 +73,11 @@ double long_words_to_double(const std::uint64_t* words, std::uint32_t count, int
   bool sticky = rest != 0;
   for (std::uint32_t i = 0; i + 2 < count && !sticky; ++i) sticky = words[i] != 0;
   if (sticky) window |= 1;
-  return std::ldexp(static_cast<double>(static_cast<std::int64_t>(window)),
-                    exponent + 64 * static_cast<int>(count - 1) - lead);
+  const int power = exponent + 64 * static_cast<int>(count - 1) - lead;
+  const auto value = static_cast<double>(static_cast<std::int64_t>(window));
+  // As in words_to_double: exact within the normal range.
+  if (power < -1000 || power > 900) return std::ldexp(value, power);
+  return value * std::bit_cast<double>(static_cast<std::uint64_t>(power + 1023) << 52);
 }
 
 std::uint32_t LimbStore::add(const Integer& value) {

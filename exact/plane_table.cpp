@@ -4,6 +4,7 @@
 #include "exact/wide.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
@@ -28,6 +29,29 @@ struct Canonical {
   bool flipped = false;
 };
 
+/// x / 2^shift of a number that is not negative; shift >= 0.
+template <int N>
+Fixed<N> shift_right(const Fixed<N>& x, int shift) {
+  Fixed<N> r;
+  const int words = shift / 64, bits = shift % 64;
+  for (int i = 0; i < N; ++i) {
+    const std::uint64_t low = i + words < N ? x.word[i + words] : 0;
+    const std::uint64_t high = i + words + 1 < N ? x.word[i + words + 1] : 0;
+    r.word[i] = bits == 0 ? low : (low >> bits) | (high << (64 - bits));
+  }
+  return r;
+}
+
+/// The highest power of two that divides all three, not all zero: its exponent.
+template <int N>
+int common_twos(const Wide3<N>& m) {
+  for (int i = 0; i < N; ++i) {
+    const std::uint64_t any = m[0].word[i] | m[1].word[i] | m[2].word[i];
+    if (any != 0) return 64 * i + std::countr_zero(any);
+  }
+  return 0;
+}
+
 /// Of a normal of N words and a point of the plane in two. None if the normal is zero.
 template <int N>
 std::optional<Canonical> canonical(const Wide3<N>& n, const Wide3<2>& p) {
@@ -37,10 +61,12 @@ std::optional<Canonical> canonical(const Wide3<N>& n, const Wide3<2>& p) {
   if (leading == 0) return std::nullopt;
   Wide3<N> m;
   mpz_t view[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    m[k] = s[k] < 0 ? -n[k] : n[k];
-    mpz_roinit_n(view[k], m[k].word, N);
+  for (std::size_t k = 0; k < 3; ++k) m[k] = s[k] < 0 ? -n[k] : n[k];
+  // Most divisors are powers of two, for which there is no need to divide.
+  if (const int twos = common_twos<N>(m); twos > 0) {
+    for (auto& x : m) x = shift_right(x, twos);
   }
+  for (std::size_t k = 0; k < 3; ++k) mpz_roinit_n(view[k], m[k].word, N);
   // These keep their room: to ask for it anew takes longer than the rest.
   thread_local Integer divisor, quotient;
   mpz_gcd(divisor.get_mpz_t(), view[0], view[1]);

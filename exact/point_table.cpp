@@ -11,6 +11,7 @@ PointTable::PointTable(const Grid& grid, std::span<const glm::dvec3> world)
   words_.resize(std::size_t{3} * stride_ * world.size());
   approx_.reserve(world.size());
   std::uint64_t* out = words_.data();
+  GridPoint g;  // keeps its room
   for (const glm::dvec3& p : world) {
     std::uint32_t longest = 0;
     if (std::array<std::int64_t, 3> c; grid.short_point(p, c)) {
@@ -20,7 +21,7 @@ PointTable::PointTable(const Grid& grid, std::span<const glm::dvec3> world)
         std::fill(out + k * stride_ + 1, out + (k + 1) * stride_, c[k] < 0 ? ~std::uint64_t{0} : 0);
       }
     } else {
-      const GridPoint g = grid.point(p);
+      grid.point(p, g);
       if (g.shift > 0) throw std::invalid_argument("a point is finer than the grid");
       for (std::uint32_t k = 0; k < 3; ++k) {
         longest = std::max(longest, magnitude_bits(g.c[k]));

@@ -73,7 +73,7 @@ class PolygonCutter {
       planar = loop_.size() == 3 || std::all_of(loop_.begin(), loop_.end(),
                                                 [&](PointId p) { return point_side(planes_, p, plane.id) == 0; });
       if (!planar) {
-        add_triangles(polygon);
+        add_triangles(polygon, plane);
       } else if (loop_.size() == 3) {
         list_.add(polygon, plane, loop_);
       } else {
@@ -93,6 +93,7 @@ class PolygonCutter {
   PlaneTable::Interned plane_of_loop() {
     for (std::size_t k = 2; k < loop_.size(); ++k) {
       const PlaneTable::Interned plane = planes_.add_points(loop_[0], loop_[1], loop_[k]);
+      third_ = k;
       if (plane.id != none) return plane;
     }
     return {};
@@ -111,10 +112,12 @@ class PolygonCutter {
     report_.self_crossing += cut.self_crossing && !cut.pieces.empty();
   }
 
-  void add_triangles(PolygonId polygon) {
+  /// `first` is what plane_of_loop has found: mostly the plane of the first triangle.
+  void add_triangles(PolygonId polygon, PlaneTable::Interned first) {
     ++report_.nonplanar;
+    const Triangle known{loop_[0], loop_[1], loop_[third_]};
     for (const Triangle& t : triangulate(points_, loop_)) {
-      const PlaneTable::Interned plane = planes_.add_points(t[0], t[1], t[2]);
+      const PlaneTable::Interned plane = t == known ? first : planes_.add_points(t[0], t[1], t[2]);
       if (plane.id != none) list_.add(polygon, plane, t);
     }
   }
@@ -156,6 +159,7 @@ class PolygonCutter {
   SceneReport& report_;
   SurfaceList list_;
   std::vector<PointId> loop_;     // the polygon's vertices, none in the same place as its neighbour
+  std::size_t third_ = 2;         // what plane_of_loop took beside the first two
   std::vector<PointId> corners_;  // of a convex loop, those amid a straight side left out
 };
 

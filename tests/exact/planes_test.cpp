@@ -67,6 +67,27 @@ RC_GTEST_PROP(PlaneTableLaws, Law3Canonical, (std::uint64_t seed)) {
   }
 }
 
+// Divisors that are powers of two, beyond a word and alone or not.
+TEST(PlaneTable, DivisorsOfManyTwos) {
+  for (const double scale : {0x1p3, 0x1p40, 0x1p63, 0x1p64, 0x1p100}) {
+    for (const double factor : {1.0, 15.0}) {
+      const double s = scale * factor;
+      const std::vector<glm::dvec3> world{{0, 0, 0}, {s, 0, 0}, {0, 2 * s, 0}, {0, 0, 3 * s}, {1, 1, 1}};
+      const Grid grid = Grid::covering(world);
+      const PointTable points(grid, world);
+      PlaneTable planes(points);
+      const PlaneId p = planes.add_points(1, 2, 3).id, wall = planes.add_wall(1, 2, 2).id;
+      const auto normal = [&](PlaneId q) {
+        return Vector{planes.integer(q, 0), planes.integer(q, 1), planes.integer(q, 2)};
+      };
+      EXPECT_EQ(normal(p), (Vector{6, 3, 2})) << s;  // x / s + y / 2s + z / 3s = 1
+      EXPECT_EQ(normal(wall), (Vector{2, 1, 0})) << s;
+      for (const PointId k : {1u, 2u, 3u}) EXPECT_EQ(product(normal(p), points.point(k)), planes.integer(p, 3)) << s;
+      for (const PointId k : {1u, 2u}) EXPECT_EQ(product(normal(wall), points.point(k)), planes.integer(wall, 3)) << s;
+    }
+  }
+}
+
 // Law 4: approximations are within 2^-53, and the largest |n| is in [1/2, 1].
 RC_GTEST_PROP(PlaneTableLaws, Law4Approximations, (std::uint64_t seed)) {
   Bench b(seed, some_bits(seed));

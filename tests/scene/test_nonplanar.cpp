@@ -97,6 +97,22 @@ TEST(Nonplanar, TrianglesWithoutAreaAreDropped) {
   EXPECT_EQ(triangles(scene), (Sets{{0, 2, 3}, {0, 3, 4}}));
 }
 
+/// Two components of the Newell normal are equal, or differ by a hair: along x the fan folds over, along y it does not.
+/// A vertex that no polygon uses makes the grid finer and numbers longer.
+TEST(Nonplanar, TheViewIsExact) {
+  for (const double finest : {1.0, 0x1p-20, 0x1p-90, 0x1p-1000}) {
+    for (const double hair : {0.0, 1.0}) {
+      const double far = 0x1p48;
+      PolygonSoup soup = soup_of({{hair, far, 0}, {0, 0, far}, {0, 0, -2 * far}, {far, 0, -far}});
+      soup.vertices.emplace_back(finest, 0, 0);
+      const Sets ears{{0, 1, 3}, {1, 2, 3}}, fan{{0, 1, 2}, {0, 2, 3}};
+      Sets found = triangles(make_scene(soup));
+      std::sort(found.begin(), found.end());
+      EXPECT_EQ(found, hair == 0 ? ears : fan) << finest;
+    }
+  }
+}
+
 /// Star-shaped loops (simple in the view along z), lifted at random: the triangles tile the view of the loop.
 RC_GTEST_PROP(Nonplanar, TrianglesTileTheView, ()) {
   const int count = *rc::gen::inRange(4, 14);
