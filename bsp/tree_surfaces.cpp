@@ -1,7 +1,6 @@
 #include "bsp/tree_surfaces.hpp"
 
 #include <cmath>
-#include <glm/common.hpp>
 
 namespace sightline {
 namespace {
@@ -9,8 +8,10 @@ namespace {
 struct Bounds {
   glm::dvec3 low{INFINITY}, high{-INFINITY};
   void add(const glm::dvec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
+    for (int k = 0; k < 3; ++k) {
+      low[k] = p[k] < low[k] ? p[k] : low[k];
+      high[k] = p[k] > high[k] ? p[k] : high[k];
+    }
   }
 };
 
@@ -32,31 +33,39 @@ TreeSurfaces::TreeSurfaces(const Scene& scene)
 void TreeSurfaces::find_bounds() {
   const auto surfaces = scene_.surfaces();
   const PointTable& points = scene_.points();
-  for (SurfaceId s = 0; s < surfaces.size();) {
+  for (SurfaceId s = 0, end; s < surfaces.size(); s = end) {
     const PolygonId polygon = surfaces[s].polygon;
-    SurfaceId end = s + 1;
-    while (end < surfaces.size() && surfaces[end].polygon == polygon) ++end;
+    for (end = s + 1; end < surfaces.size() && surfaces[end].polygon == polygon;) ++end;
     Bounds whole;
     for (const PointId corner : scene_.corners(polygon)) whole.add(points.approx(corner));
     const auto spread = static_cast<float>(glm::length(whole.high - whole.low) * (1 + 0x1p-20) + 0x1p-40);
-    const bool only = end == s + 1;
-    for (; s < end; ++s) {
-      Bounds own = whole;
-      if (!only) {
-        own = {};
-        for_corners(s, [&own](const glm::dvec3& p) { own.add(p); });
-      }
-      box_[s].add(own.low, own.high);
-      spread_[s] = spread;
-      TreeExtent& block = block_[s / surface_block];
+    std::fill(spread_.begin() + s, spread_.begin() + end, spread);
+    TreeExtent& block = block_[s / surface_block];
+    block.spread = std::max(block.spread, spread);
+    if (end == s + 1) {
+      box_[s].add(whole.low, whole.high);
       block.box.add(box_[s]);
-      block.spread = std::max(block.spread, spread);
-      if (!frame_.turned()) continue;
-      Bounds turned;
-      for_corners(s, [&](const glm::dvec3& p) { turned.add(frame_.of(p)); });
-      turned_[s].add(turned.low, turned.high);
-      block.along.add(turned_[s]);
+    } else {
+      find_bounds_of_parts(s, end);
     }
+  }
+  for (SurfaceId s = 0; s < turned_.size(); ++s) {
+    Bounds turned;
+    for_corners(s, [&](const glm::dvec3& p) { turned.add(frame_.of(p)); });
+    turned_[s].add(turned.low, turned.high);
+    block_[s / surface_block].along.add(turned_[s]);
+  }
+}
+
+/// Of several surfaces of one polygon.
+void TreeSurfaces::find_bounds_of_parts(SurfaceId first, SurfaceId end) {
+  for (SurfaceId s = first; s < end; ++s) {
+    Bounds own;
+    for_corners(s, [&own](const glm::dvec3& p) { own.add(p); });
+    box_[s].add(own.low, own.high);
+    TreeExtent& block = block_[s / surface_block];
+    block.box.add(box_[s]);
+    block.spread = std::max(block.spread, spread_[s]);
   }
 }
 

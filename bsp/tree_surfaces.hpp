@@ -76,6 +76,7 @@ class TreeSurfaces {
  private:
   glm::dvec3 meet(const Surface& surface, std::span<const SurfaceEdge> edges, std::size_t k) const;
   void find_bounds();
+  void find_bounds_of_parts(SurfaceId first, SurfaceId end);
 
   const Scene& scene_;
   TreeFrame frame_;
