@@ -6,27 +6,31 @@
 namespace sightline {
 namespace {
 
-constexpr std::size_t looked_at = 64;      // parts of the sample among which candidates are chosen by area
-constexpr std::size_t candidates = 12;     // planes judged
-constexpr double flat = 0x1p-40;           // unit length below which a part counts as lying in a plane
-constexpr float blurred = 0x1p-20f;        // what boxes and sums of floats may be off by
-constexpr std::size_t bins = 256;          // for gaps
-constexpr std::size_t sorted_up_to = 256;  // parts among which gaps are found one by one
-constexpr std::size_t sampled = 8192;      // parts that tell whether there may be a gap among very many
-constexpr double narrow = 0x1p-18;         // unit length below which bins would be too small for floats
-constexpr std::size_t gaps_from = 8;       // parts from which gaps are looked for
+constexpr std::size_t looked_at = 64;   // parts of the sample among which candidates are chosen by area
+constexpr std::size_t candidates = 12;  // planes judged
+constexpr double flat = 0x1p-40;        // unit length below which a part counts as lying in a plane
+constexpr float blurred = 0x1p-20f;     // what boxes and sums of floats may be off by
+constexpr std::size_t bins = 256;       // for gaps
+constexpr std::size_t sampled = 8192;   // parts that tell whether there may be a gap among very many
+constexpr double narrow = 0x1p-18;      // unit length below which bins would be too small for floats
+constexpr std::size_t gaps_from = 8;    // parts from which gaps are looked for
+constexpr int steps = 4;                // from part to part, after which they are sorted
 
 constexpr double weight_split = 8.0;  // per piece cut, as part of all
 constexpr double weight_hair = 0.3;   // as part of that: one within rounding of the cut, mostly on one side
 constexpr double weight_area = 1.0;   // pieces on each side, weighted by the surface of that side
 constexpr double weight_cover = 1.0;  // opaque part of the cut
 
-/// Order-preserving.
-std::uint32_t ordered(float x) {
-  const auto bits = std::bit_cast<std::uint32_t>(x);
-  return bits >> 31 ? ~bits : bits | 0x80000000u;
+/// Order-preserving, both.
+std::int32_t ordered(float x) {
+  const auto bits = std::bit_cast<std::int32_t>(x);
+  return bits ^ (bits >> 31 & 0x7fffffff);
 }
-float unordered(std::uint32_t x) { return std::bit_cast<float>(x >> 31 ? x & 0x7fffffffu : ~x); }
+float unordered(std::int32_t x) { return std::bit_cast<float>(x ^ (x >> 31 & 0x7fffffff)); }
+std::uint32_t unsigned_order(std::int32_t x) { return static_cast<std::uint32_t>(x) ^ 0x80000000u; }
+float from_unsigned(std::uint64_t x) {
+  return unordered(static_cast<std::int32_t>(static_cast<std::uint32_t>(x) ^ 0x80000000u));
+}
 
 }  // namespace
 
@@ -83,9 +87,8 @@ void TreeChoice::count_corners(Count& n, const ApproxPlane& plane) const {
   }
 }
 
-TreeChoice::Count TreeChoice::count(std::span<const TreePart> here, PlaneId plane) {
+TreeChoice::Count TreeChoice::count(std::span<const TreePart> here, PlaneId plane, const glm::dvec3& normal) {
   const ApproxPlane& p = planes_.approx(plane);
-  const glm::dvec3 normal = parts_.frame().of({p.n[0], p.n[1], p.n[2]});
   const auto x = static_cast<float>(normal.x), y = static_cast<float>(normal.y), z = static_cast<float>(normal.z),
              d = static_cast<float>(p.d);
   const float rx = std::abs(x), ry = std::abs(y), rz = std::abs(z);
@@ -120,20 +123,15 @@ TreeChoice::Count TreeChoice::count(std::span<const TreePart> here, PlaneId plan
   return n;
 }
 
-double TreeChoice::cost(const Count& n, const ApproxPlane& p) const {
-  const glm::dvec3 normal = parts_.frame().of({p.n[0], p.n[1], p.n[2]});
-  glm::dvec3 size, middle;
-  for (int i = 0; i < 3; ++i) {
-    size[i] = static_cast<double>(box_.high[i]) - box_.low[i];
-    middle[i] = (static_cast<double>(box_.high[i]) + box_.low[i]) * 0.5;
-  }
+/// `d`: how far the plane lies along `normal`.
+double TreeChoice::cost(const Count& n, const glm::dvec3& normal, double d) const {
+  const glm::dvec3 &size = extent_, &middle = middle_of_all_;
   const int k = main_axis(&normal.x), k1 = (k + 1) % 3, k2 = (k + 2) % 3;
-  const double at = (p.d - normal[k1] * middle[k1] - normal[k2] * middle[k2]) / normal[k];
+  const double at = (d - normal[k1] * middle[k1] - normal[k2] * middle[k2]) / normal[k];
   glm::dvec3 below = size, above = size;
   below[k] = std::clamp(at - box_.low[k], 0.0, size[k]);
   above[k] = size[k] - below[k];
-  const double all = surface(size);
-  double behind = surface(below) / all, front = surface(above) / all;
+  double behind = surface(below) / surface_of_all_, front = surface(above) / surface_of_all_;
   if (normal[k] < 0) std::swap(behind, front);
   const double total = n.behind + n.front + n.split + n.on;
   const double section = size[k1] * size[k2] / std::abs(normal[k]);
@@ -150,29 +148,56 @@ void TreeChoice::judge(int axis, double at, double before, double total, TreeCut
   cut = {none, axis, at};
 }
 
-/// One by one, by their order.
-void TreeChoice::find_narrow_gaps(std::span<const TreePart> here, int axis, TreeCut& cut, double& least) {
-  extents_.clear();
-  for (const TreePart part : here) {
-    const RoundedBox& box = parts_.along(part);
-    extents_.push_back(std::uint64_t{ordered(box.low[axis])} << 32 | ordered(box.high[axis]));
-  }
-  std::sort(extents_.begin(), extents_.end());
-  auto reached = static_cast<std::uint32_t>(extents_[0]);
-  for (std::size_t k = 1; k < extents_.size(); ++k) {
-    const auto low = static_cast<std::uint32_t>(extents_[k] >> 32);
-    if (low > reached) {
-      const double at = (static_cast<double>(unordered(low)) + unordered(reached)) * 0.5;
-      judge(axis, at, static_cast<double>(k), static_cast<double>(here.size()), cut, least);
+/// Whether parts along an axis leave no gap, as far as a few steps from part to part tell: mostly a wall or a floor
+/// reaches all along it.
+bool TreeChoice::covered(int axis, std::size_t count) const {
+  const std::int32_t *const low = low_[axis], *const high = high_[axis], end = ordered(box_.high[axis]);
+  std::int32_t reached = ordered(box_.low[axis]);
+  for (int step = 0; step < steps; ++step) {
+    std::int32_t next = reached;
+    for (std::size_t k = 0; k < count; ++k) {  // no branches: the compiler takes several at a time
+      const std::int32_t to = low[k] <= reached ? high[k] : reached;
+      next = to > next ? to : next;
     }
-    reached = std::max(reached, static_cast<std::uint32_t>(extents_[k]));
+    if (next >= end) return true;
+    if (next == reached) return false;
+    reached = next;
+  }
+  return false;
+}
+
+/// One by one, by their order.
+void TreeChoice::find_narrow_gaps(std::span<const TreePart> here, TreeCut& cut, double& least) {
+  for (std::size_t k = 0; k < here.size(); ++k) {
+    const RoundedBox& box = parts_.along(here[k]);
+    for (int axis = 0; axis < 3; ++axis) {
+      low_[axis][k] = ordered(box.low[axis]);
+      high_[axis][k] = ordered(box.high[axis]);
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (covered(axis, here.size())) continue;
+    extents_.clear();
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      extents_.push_back(std::uint64_t{unsigned_order(low_[axis][k])} << 32 | unsigned_order(high_[axis][k]));
+    }
+    std::sort(extents_.begin(), extents_.end());
+    auto reached = static_cast<std::uint32_t>(extents_[0]);
+    for (std::size_t k = 1; k < extents_.size(); ++k) {
+      const auto low = static_cast<std::uint32_t>(extents_[k] >> 32);
+      if (low > reached) {
+        const double at = (static_cast<double>(from_unsigned(low)) + from_unsigned(reached)) * 0.5;
+        judge(axis, at, static_cast<double>(k), static_cast<double>(here.size()), cut, least);
+      }
+      reached = std::max(reached, static_cast<std::uint32_t>(extents_[k]));
+    }
   }
 }
 
 /// Judges the gaps between the parts along the frame: few parts by their order, many by bins.
 void TreeChoice::find_gaps(std::span<const TreePart> here, TreeCut& cut, double& least) {
   if (here.size() <= sorted_up_to) {
-    for (int axis = 0; axis < 3; ++axis) find_narrow_gaps(here, axis, cut, least);
+    find_narrow_gaps(here, cut, least);
     return;
   }
   // Where a part of them leaves no gap all of them leave none.
@@ -236,9 +261,17 @@ TreeCut TreeChoice::choose(std::span<const TreePart> here, const RoundedBox& alo
   box_ = along;
   take_sample(here);
   choose_candidates();
+  if (candidates_.size() == 1 && here.size() < gaps_from) return {candidates_[0].second, -1, 0};
+  for (int k = 0; k < 3; ++k) {
+    extent_[k] = static_cast<double>(box_.high[k]) - box_.low[k];
+    middle_of_all_[k] = (static_cast<double>(box_.high[k]) + box_.low[k]) * 0.5;
+  }
+  surface_of_all_ = surface(extent_);
   double least = INFINITY;
   for (const auto& [negative, plane] : candidates_) {
-    const double now = cost(count(here, plane), planes_.approx(plane));
+    const ApproxPlane& p = planes_.approx(plane);
+    const glm::dvec3 normal = parts_.frame().of({p.n[0], p.n[1], p.n[2]});
+    const double now = cost(count(here, plane, normal), normal, p.d);
     if (now >= least) continue;
     least = now;
     best.plane = plane;
