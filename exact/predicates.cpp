@@ -32,6 +32,12 @@ Sign exact_point_side(const PlaneRow& q, const PointTable& points, PointId p) {
   });
 }
 
+/// Points through which the plane was first laid: in meshes, most of those that lie in a plane at all.
+bool made_through(const PlaneSource& source, PointId p) {
+  if (source.kind == PlaneSource::axis) return false;
+  return p == source.a || p == source.b || (source.kind == PlaneSource::points && p == source.c);
+}
+
 }  // namespace
 
 Sign point_side(const PlaneTable& planes, PointId p, PlaneId q) {
@@ -40,6 +46,10 @@ Sign point_side(const PlaneTable& planes, PointId p, PlaneId q) {
   if (s != uncertain) {
     ++tally().filter;
     return s;
+  }
+  if (made_through(planes.source(q), p)) {
+    ++tally().identity;
+    return 0;
   }
   return exact_point_side(PlaneRow(planes, q), points, p);
 }
