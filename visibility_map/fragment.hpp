@@ -41,7 +41,8 @@ struct Fragments {
   std::vector<Fragment> fragments;
   std::vector<FragmentSide> sides;
   std::vector<FragmentCorner> corners;
-  std::vector<glm::dvec3> rays;  // of the corners, each component at most 2 and within 9 * 2^-53; or of none of them
+  /// Of the corners, or of none of them: largest component between 2^-10 and 2, each within 9 * 2^-53.
+  std::vector<glm::dvec3> rays;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> same;  // corners known to be one ray; others may be, too
   std::vector<SurfaceId> seen;
   /// What lines were made of: needed only where fragments that see nothing may lie beside lines that are no edges of
